@@ -1,0 +1,118 @@
+#include "base/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static kg_status read_stream(FILE *f, char **out_data, size_t *out_size) {
+    size_t capacity = 1 << 16, size = 0;
+    char *data = malloc(capacity);
+    while (data) {
+        size += fread(data + size, 1, capacity - 1 - size, f);
+        if (size < capacity - 1)
+            break;
+        char *more = capacity > SIZE_MAX / 2 ? NULL : realloc(data, capacity * 2);
+        if (!more) {
+            free(data);
+            data = NULL;
+        } else {
+            data = more;
+            capacity *= 2;
+        }
+    }
+    if (!data)
+        return KG_ERR_MEMORY;
+    if (ferror(f)) {
+        free(data);
+        return KG_ERR_IO;
+    }
+    data[size] = '\0';
+    *out_data = data;
+    *out_size = size;
+    return KG_OK;
+}
+
+kg_status kg_file_read(const char *path, char **out_data, size_t *out_size, kg_error *error) {
+    FILE *f = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    if (!f)
+        return kg_fail(error, KG_ERR_IO, "%s: cannot open: %s", path, strerror(errno));
+    kg_status status = read_stream(f, out_data, out_size);
+    int saved = errno;
+    if (f != stdin)
+        fclose(f);
+    if (status == KG_ERR_MEMORY)
+        return kg_fail(error, status, "%s: out of memory", path);
+    if (status)
+        return kg_fail(error, status, "%s: cannot read: %s", path, strerror(saved));
+    return KG_OK;
+}
+
+kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *error) {
+    size_t n = strlen(path);
+    char *name = malloc(n + 8);
+    if (!name)
+        return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", path);
+    memcpy(name, path, n);
+    memcpy(name + n, ".XXXXXX", 8);
+    int fd = mkstemp(name);
+    if (fd < 0) {
+        kg_fail(error, KG_ERR_IO, "%s: cannot write here: %s", path, strerror(errno));
+        free(name);
+        return KG_ERR_IO;
+    }
+    /* mkstemp makes files private; what replaces a user's file keeps that file's mode, and a new
+     * one gets the mode every other program would give it. */
+    struct stat old;
+    mode_t mask = umask(0);
+    umask(mask);
+    mode_t mode = stat(path, &old) == 0 ? (old.st_mode & 0777) : (0666 & ~mask);
+    (void)!fchmod(fd, mode);
+    close(fd);
+    *out_temporary = name;
+    return KG_OK;
+}
+
+kg_status kg_file_commit(const char *temporary, const char *path, kg_error *error) {
+    int fd = open(temporary, O_RDONLY);
+    bool synced = fd >= 0 && fsync(fd) == 0;
+    if (fd >= 0)
+        close(fd);
+    if (!synced || rename(temporary, path) != 0) {
+        kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, strerror(errno));
+        unlink(temporary);
+        return KG_ERR_IO;
+    }
+    return KG_OK;
+}
+
+void kg_file_discard(const char *temporary) {
+    if (temporary)
+        unlink(temporary);
+}
+
+kg_status kg_file_write(const char *path, const void *data, size_t size, kg_error *error) {
+    if (strcmp(path, "-") == 0) {
+        if (fwrite(data, 1, size, stdout) != size || fflush(stdout) != 0)
+            return kg_fail(error, KG_ERR_IO, "standard output: cannot write: %s", strerror(errno));
+        return KG_OK;
+    }
+    char *temporary;
+    kg_status status = kg_file_temporary(path, &temporary, error);
+    if (status)
+        return status;
+    FILE *f = fopen(temporary, "wb");
+    bool ok = f && fwrite(data, 1, size, f) == size;
+    if (f && fclose(f) != 0)
+        ok = false;
+    if (ok) {
+        status = kg_file_commit(temporary, path, error);
+    } else {
+        status = kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, strerror(errno));
+        kg_file_discard(temporary);
+    }
+    free(temporary);
+    return status;
+}

@@ -1,0 +1,75 @@
+#include "base/array.h"
+#include "base/file.h"
+#include "katagami/base.h"
+#include "tests/check.h"
+
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static void fail_in_puts_the_place_in_front(void **state) {
+    (void)state;
+    kg_error e;
+    assert_int_equal(kg_fail(&e, KG_ERR_INPUT, "bad %s", "v"), KG_ERR_INPUT);
+    assert_int_equal(kg_fail_in(&e, e.status, "patch %d: ", 3), KG_ERR_INPUT);
+    assert_string_equal(e.message, "patch 3: bad v");
+}
+
+static void over_long_messages_are_cut_not_overrun(void **state) {
+    (void)state;
+    kg_error e;
+    char text[3 * KG_ERROR_SIZE];
+    memset(text, 'x', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    assert_int_equal(kg_fail(&e, KG_ERR_IO, "%s", text), KG_ERR_IO);
+    assert_int_equal(strlen(e.message), KG_ERROR_SIZE - 1);
+    assert_int_equal(kg_fail_in(&e, KG_ERR_IO, "%s", text), KG_ERR_IO);
+    assert_int_equal(strlen(e.message), KG_ERROR_SIZE - 1);
+}
+
+static void impossible_reserve_leaves_the_array(void **state) {
+    (void)state;
+    struct {
+        double *items;
+        size_t count, capacity;
+    } a = {0};
+    assert_true(kg_push(&a, 1.5));
+    assert_false(kg_reserve(&a, SIZE_MAX / 2));
+    assert_true(a.items[0] == 1.5);
+    free(a.items);
+}
+
+static void writing_replaces_the_whole_file_or_nothing(void **state) {
+    (void)state;
+    char dir[] = "/tmp/kg-file-XXXXXX";
+    assert_non_null(mkdtemp(dir));
+    char path[64];
+    snprintf(path, sizeof path, "%s/a.txt", dir);
+    assert_int_equal(kg_file_write(path, "old", 3, NULL), KG_OK);
+    assert_int_equal(chmod(path, 0600), 0);
+    assert_int_equal(kg_file_write(path, "new text", 8, NULL), KG_OK);
+    struct stat s;
+    assert_int_equal(stat(path, &s), 0);
+    assert_int_equal(s.st_mode & 0777, 0600);
+    char *data;
+    size_t size;
+    assert_int_equal(kg_file_read(path, &data, &size, NULL), KG_OK);
+    assert_int_equal(size, 8);
+    assert_string_equal(data, "new text");
+    free(data);
+    unlink(path);
+    rmdir(dir);
+    kg_error e;
+    assert_int_equal(kg_file_write(path, "x", 1, &e), KG_ERR_IO);
+    assert_int_equal(kg_file_read(path, &data, &size, &e), KG_ERR_IO);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fail_in_puts_the_place_in_front),
+        cmocka_unit_test(over_long_messages_are_cut_not_overrun),
+        cmocka_unit_test(impossible_reserve_leaves_the_array),
+        cmocka_unit_test(writing_replaces_the_whole_file_or_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
