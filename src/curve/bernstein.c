@@ -1,0 +1,146 @@
+#include "curve/bernstein.h"
+
+#include <assert.h>
+#include <string.h>
+
+double kg_binomial(int n, int k) {
+    assert(n >= 0 && n <= KG_BERNSTEIN_MAX_DEGREE && k >= 0 && k <= n);
+    if (k > n - k)
+        k = n - k;
+    double c = 1;
+    for (int i = 1; i <= k; i++)
+        c = c * (n - k + i) / i; /* exact: every prefix is a binomial below 2^53 */
+    return c;
+}
+
+/* t^n by squaring */
+static double power(double t, int n) {
+    double r = 1;
+    for (; n > 0; n >>= 1, t *= t)
+        if (n & 1)
+            r *= t;
+    return r;
+}
+
+double kg_bernstein_eval(const double *a, int n, double t) {
+    double s = 1 - t;
+    double acc, c = 1;
+    if (t <= 0.5) {
+        /* sum over C(n,i) r^i, from the low end with a running power */
+        double r = t / s, w = 1;
+        acc = a[0];
+        for (int i = 1; i <= n; i++) {
+            w *= r * (n - i + 1) / i;
+            acc += w * a[i];
+        }
+        return acc * power(s, n);
+    }
+    double r = s / t;
+    acc = a[n];
+    for (int i = 1; i <= n; i++) {
+        c *= r * (n - i + 1) / i;
+        acc += c * a[n - i];
+    }
+    return acc * power(t, n);
+}
+
+kg_vec3 kg_bernstein_eval3(const kg_vec3 *a, int n, double t) {
+    /* step / i is a table so that the loop holds no division */
+    static const double inverse[KG_BERNSTEIN_MAX_DEGREE + 1] = {
+        0,      1.0 / 1,  1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,  1.0 / 8,
+        1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15, 1.0 / 16, 1.0 / 17,
+        1.0 / 18, 1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23, 1.0 / 24, 1.0 / 25, 1.0 / 26,
+        1.0 / 27, 1.0 / 28, 1.0 / 29, 1.0 / 30, 1.0 / 31, 1.0 / 32, 1.0 / 33, 1.0 / 34, 1.0 / 35,
+        1.0 / 36, 1.0 / 37, 1.0 / 38, 1.0 / 39, 1.0 / 40, 1.0 / 41, 1.0 / 42, 1.0 / 43, 1.0 / 44,
+        1.0 / 45, 1.0 / 46, 1.0 / 47, 1.0 / 48};
+    double s = 1 - t, w = 1;
+    bool low = t <= 0.5;
+    double r = low ? t / s : s / t;
+    kg_vec3 acc = low ? a[0] : a[n];
+    for (int i = 1; i <= n; i++) {
+        w *= r * (n - i + 1) * inverse[i];
+        acc = kg_madd(acc, w, low ? a[i] : a[n - i]);
+    }
+    return kg_scale(acc, power(low ? s : t, n));
+}
+
+void kg_bernstein_derivative3(const kg_vec3 *a, int n, kg_vec3 *out) {
+    assert(n >= 1);
+    for (int i = 0; i < n; i++)
+        out[i] = kg_scale(kg_sub(a[i + 1], a[i]), n);
+}
+
+/* Product coefficient weights: out[k] = sum over i+j=k of C(n,i) C(m,j) / C(n+m,k) a[i] b[j]. */
+static double weight(int n, int i, int m, int j) {
+    return kg_binomial(n, i) * kg_binomial(m, j) / kg_binomial(n + m, i + j);
+}
+
+void kg_bernstein_mul(const double *a, int n, const double *b, int m, double *out) {
+    memset(out, 0, sizeof *out * (size_t)(n + m + 1));
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= m; j++)
+            out[i + j] += weight(n, i, m, j) * a[i] * b[j];
+}
+
+void kg_bernstein_mul3(const double *a, int n, const kg_vec3 *b, int m, kg_vec3 *out) {
+    memset(out, 0, sizeof *out * (size_t)(n + m + 1));
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= m; j++)
+            out[i + j] = kg_madd(out[i + j], weight(n, i, m, j) * a[i], b[j]);
+}
+
+void kg_bernstein_dot(const kg_vec3 *a, int n, const kg_vec3 *b, int m, double *out) {
+    memset(out, 0, sizeof *out * (size_t)(n + m + 1));
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= m; j++)
+            out[i + j] += weight(n, i, m, j) * kg_dot(a[i], b[j]);
+}
+
+void kg_bernstein_cross(const kg_vec3 *a, int n, const kg_vec3 *b, int m, kg_vec3 *out) {
+    memset(out, 0, sizeof *out * (size_t)(n + m + 1));
+    for (int i = 0; i <= n; i++)
+        for (int j = 0; j <= m; j++)
+            out[i + j] = kg_madd(out[i + j], weight(n, i, m, j), kg_cross(a[i], b[j]));
+}
+
+void kg_bernstein_elevate3(const kg_vec3 *a, int n, int m, kg_vec3 *out) {
+    memmove(out, a, sizeof *a * (size_t)(n + 1));
+    for (; n < m; n++) {
+        out[n + 1] = out[n];
+        for (int i = n; i >= 1; i--)
+            out[i] = kg_lerp(out[i], out[i - 1], (double)i / (n + 1));
+    }
+}
+
+void kg_bernstein_deflate3(const kg_vec3 *a, int n, double root, kg_vec3 *out) {
+    /* (t - root) = -root (1-t) + (1-root) t, so C(n,i) a[i] =
+     * (1-root) C(n-1,i-1) q[i-1] - root C(n-1,i) q[i]. */
+    if (root > 0.5) {
+        for (int i = 0; i < n; i++) {
+            kg_vec3 r = kg_scale(a[i], -kg_binomial(n, i));
+            if (i > 0)
+                r = kg_madd(r, (1 - root) * kg_binomial(n - 1, i - 1), out[i - 1]);
+            out[i] = kg_scale(r, 1 / (root * kg_binomial(n - 1, i)));
+        }
+    } else {
+        for (int i = n - 1; i >= 0; i--) {
+            kg_vec3 r = kg_scale(a[i + 1], kg_binomial(n, i + 1));
+            if (i + 1 < n)
+                r = kg_madd(r, root * kg_binomial(n - 1, i + 1), out[i + 1]);
+            out[i] = kg_scale(r, 1 / ((1 - root) * kg_binomial(n - 1, i)));
+        }
+    }
+}
+
+void kg_bernstein_restrict3(kg_vec3 *a, int n, double lo, double hi) {
+    /* Keep [0,hi] by de Casteljau from the left, then [lo/hi,1] of that from the right. */
+    if (hi < 1)
+        for (int k = 1; k <= n; k++)
+            for (int i = n; i >= k; i--)
+                a[i] = kg_lerp(a[i - 1], a[i], hi);
+    double cut = lo / hi;
+    if (cut > 0)
+        for (int k = 1; k <= n; k++)
+            for (int i = 0; i <= n - k; i++)
+                a[i] = kg_lerp(a[i], a[i + 1], cut);
+}
