@@ -50,7 +50,11 @@ typedef enum kg_net_tab_side {
     KG_TAB_OTHER /* on side 1 of the join */
 } kg_net_tab_side;
 
-typedef enum kg_net_tab_shape { KG_TAB_SHAPE_AUTO = 0, KG_TAB_TRAPEZOID, KG_TAB_TEETH } kg_net_tab_shape;
+typedef enum kg_net_tab_shape {
+    KG_TAB_SHAPE_AUTO = 0,
+    KG_TAB_TRAPEZOID,
+    KG_TAB_TEETH
+} kg_net_tab_shape;
 
 /* One side of a join: a stretch of a part's outline (or a mark line inside the part). */
 typedef struct kg_net_side {
@@ -66,9 +70,9 @@ typedef struct kg_net_side {
 /* Where paper is glued to paper. Side 0 of a contact is the edge, side 1 the mark line. */
 typedef struct kg_net_join {
     kg_net_join_kind kind;
-    int number;          /* printed on both sides, from 1 */
+    int number; /* printed on both sides, from 1 */
     kg_net_side sides[2];
-    int64_t sources[2];  /* ids of what the two parts were made from */
+    int64_t sources[2]; /* ids of what the two parts were made from */
     /* Signed angle by which a tab on side 0 / side 1 is folded from the part's plane to lie on the
      * other part, positive: valley as seen from the printed front, negative: mountain; the largest
      * along the stretch in absolute value. */
@@ -92,8 +96,8 @@ typedef struct kg_net_part {
     kg_net_loop *loops;
     size_t line_count; /* folds and marks */
     kg_net_line *lines;
-    double area;       /* true area on paper, mm² */
-    double surface;    /* true area in space, mm² */
+    double area;    /* true area on paper, mm² */
+    double surface; /* true area in space, mm² */
     double perimeter;
     double isometry_error;
 } kg_net_part;
@@ -106,9 +110,155 @@ typedef struct kg_net {
     kg_net_join *joins;
 } kg_net;
 
-/* Frees everything a net holds; NULL is fine. The net itself must come from kg_net_create. */
+/* ---- building --------------------------------------------------------------------------- */
+
+/* An empty net, or NULL when memory runs out. */
 KG_API kg_net *kg_net_create(void);
+/* Frees the net and everything it holds; NULL is fine. */
 KG_API void kg_net_destroy(kg_net *net);
+
+/* Adds a part numbered one after the last; `name` (UTF-8, NULL: empty) is copied. Its index goes
+ * to `out_part`. Errors: KG_ERR_MEMORY. */
+KG_API kg_status kg_net_add_part(kg_net *net, int64_t source, const char *name, size_t *out_part,
+                                 kg_error *error) KG_CHECKED;
+
+/* Adds a contour (the outer one first, then holes) of `count` points; points and corners
+ * (NULL: every point is a corner) are copied. Errors: KG_ERR_MEMORY. */
+KG_API kg_status kg_net_add_loop(kg_net *net, size_t part, const kg_vec2 *points,
+                                 const unsigned char *corners, size_t count,
+                                 kg_error *error) KG_CHECKED;
+
+/* Adds a fold or mark: a copy of `line` with its points and corners (corners NULL: every point is
+ * a corner). Its index goes to `out_line` (may be NULL). Errors: KG_ERR_MEMORY. */
+KG_API kg_status kg_net_add_line(kg_net *net, size_t part, const kg_net_line *line,
+                                 size_t *out_line, kg_error *error) KG_CHECKED;
+
+/* Adds a copy of `join`; a number of 0 becomes one more than the joins so far. Its index goes to
+ * `out_join` (may be NULL). Errors: KG_ERR_MEMORY. */
+KG_API kg_status kg_net_add_join(kg_net *net, const kg_net_join *join, size_t *out_join,
+                                 kg_error *error) KG_CHECKED;
+
+/* Looks for what no correct builder makes: numbers that are not finite, contours of fewer than
+ * three points or the wrong direction, lines of fewer than two, indices out of range. For tests
+ * and for programs that build nets by hand. Errors: KG_ERR_INPUT naming the part. */
+KG_API kg_status kg_net_check(const kg_net *net, kg_error *error) KG_CHECKED;
+
+/* ---- options ---------------------------------------------------------------------------- */
+
+typedef enum kg_net_layer {
+    KG_LAYER_CUT = 0,
+    KG_LAYER_MOUNTAIN,
+    KG_LAYER_VALLEY,
+    KG_LAYER_MARK,
+    KG_LAYER_LABEL,
+    KG_LAYER_GUIDE,
+    KG_LAYER_COUNT
+} kg_net_layer;
+
+typedef enum kg_net_labels {
+    KG_LABELS_NONE = 0,
+    KG_LABELS_INSIDE,
+    KG_LABELS_OUTSIDE
+} kg_net_labels;
+
+typedef enum kg_net_preset {
+    KG_PRESET_PRINT = 0,
+    KG_PRESET_LASER,
+    KG_PRESET_SILHOUETTE,
+    KG_PRESET_CRICUT
+} kg_net_preset;
+
+typedef struct kg_net_style {
+    uint32_t colour; /* 0xrrggbb */
+    double width;    /* of the stroke, mm */
+} kg_net_style;
+
+typedef struct kg_net_options {
+    kg_vec2 paper;    /* mm; (0,0): one page as large as the parts, without frame or margin */
+    bool landscape;   /* turns upright paper on its side */
+    double margin;    /* mm kept free at every side of the page, >= 0 */
+    double gap;       /* least distance between parts, mm, >= 0 */
+    double scale;     /* written size over true size, > 0 */
+    double tolerance; /* mm a written line may be off the true one, > 0 */
+    kg_net_labels labels;
+    bool text_outlines;  /* text as filled paths instead of text elements */
+    bool registration;   /* Silhouette's marks (type 1), parts kept clear of them */
+    bool dashes;         /* mountain and valley folds dash-dotted and dashed in their look */
+    double perforate[2]; /* dash and gap, mm: folds as separate segments; 0,0: whole lines */
+    bool separate;       /* NAME-print and NAME-cut files instead of one */
+    bool mirrored;       /* for printing on the back: pages mirrored, text still readable,
+                            mountain and valley exchanged */
+    bool frame;          /* page frame, page number and 50 mm scale bar */
+    kg_net_style styles[KG_LAYER_COUNT];
+} kg_net_options;
+
+/* A4, upright, 8 mm margin, scale 1, 0.01 mm, labels inside, the print preset's look. */
+KG_API kg_net_options kg_net_options_default(void);
+
+/* Sets what a preset stands for (colours, widths, outlines, registration marks, frame) and leaves
+ * paper, scale and the like alone; Cricut also sets the 6.75 x 9.25 inch print-then-cut page. */
+KG_API void kg_net_options_preset(kg_net_options *options, kg_net_preset preset);
+
+/* "print", "laser", "silhouette", "cricut". Errors: KG_ERR_INPUT listing them. */
+KG_API kg_status kg_net_preset_parse(const char *text, kg_net_preset *out_preset,
+                                     kg_error *error) KG_CHECKED;
+
+/* "A4", "A3", "A2", "letter", "legal" (any case), "none" or "WxH" in mm. Errors: KG_ERR_INPUT. */
+KG_API kg_status kg_net_paper_parse(const char *text, kg_vec2 *out_paper,
+                                    kg_error *error) KG_CHECKED;
+
+/* ---- pages ------------------------------------------------------------------------------ */
+
+/* Where a part lies: a point p of it comes to  scale * R(angle) p + offset  on its page, R turning
+ * x towards y. Parts are never mirrored. */
+typedef struct kg_net_placement {
+    int page; /* from 0 */
+    double angle;
+    kg_vec2 offset;
+} kg_net_placement;
+
+typedef struct kg_net_layout {
+    kg_vec2 page_size; /* mm, of every page */
+    size_t page_count; /* 0 for a net without parts */
+    size_t part_count;
+    kg_net_placement *placements; /* one per part */
+    double scale;
+    double fill; /* area of the parts over that of the pages within their margins */
+} kg_net_layout;
+
+/* Places every part of the net. Errors: KG_ERR_INPUT (an option out of its range; a part larger
+ * than the page: names it, its size and what would help), KG_ERR_MEMORY. */
+KG_API kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
+                                      kg_net_layout **out_layout, kg_error *error) KG_CHECKED;
+KG_API void kg_net_layout_destroy(kg_net_layout *layout);
+
+/* ---- writing ---------------------------------------------------------------------------- */
+
+/* Draws the net as `path` says: .svg and .dxf (one file a page, NAME-1, NAME-2 … when there are
+ * several), .pdf (all pages in one). "-" writes one SVG page to standard output. Files are all
+ * written or none. Errors: KG_ERR_INPUT (unknown ending, options), KG_ERR_IO, KG_ERR_MEMORY,
+ * KG_ERR_SYSTEM (no font where outlines are asked for). */
+KG_API kg_status kg_net_draw(const kg_net *net, const kg_net_layout *layout,
+                             const kg_net_options *options, const char *path,
+                             kg_error *error) KG_CHECKED;
+
+/* A remark on the model for the report: `code` is a short fixed word, `message` a sentence. */
+typedef struct kg_net_warning {
+    int64_t source; /* id of the patch, 0: none */
+    const char *code;
+    const char *message;
+} kg_net_warning;
+
+/* The report of formats "Report" as JSON text with a line break at its end; the caller frees it.
+ * `layout` NULL: pages are 0. Errors: KG_ERR_MEMORY. */
+KG_API kg_status kg_net_report(const kg_net *net, const kg_net_layout *layout,
+                               const kg_net_warning *warnings, size_t warning_count,
+                               int tab_overlaps, char **out_json, kg_error *error) KG_CHECKED;
+
+/* kg_net_layout_create and kg_net_draw in one; the layout goes to `out_layout` when that is not
+ * NULL (the caller destroys it). */
+KG_API kg_status kg_net_write(const kg_net *net, const kg_net_options *options, const char *path,
+                              kg_net_layout **out_layout, kg_error *error) KG_CHECKED;
 
 #ifdef __cplusplus
 }
