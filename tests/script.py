@@ -1,0 +1,30 @@
+"""Runs the test_… functions of a script in the order they are written and prints TAP.
+
+A test fails by raising (assert does), and skips by raising Skip with the reason.
+"""
+
+import sys
+import traceback
+
+
+class Skip(Exception):
+    pass
+
+
+def run(namespace):
+    tests = [(n, f) for n, f in namespace.items() if n.startswith("test_") and callable(f)]
+    failed = 0
+    print(f"1..{len(tests)}")
+    for number, (name, function) in enumerate(tests, 1):
+        name = name[len("test_"):]
+        try:
+            function()
+            print(f"ok {number} - {name}")
+        except Skip as reason:
+            print(f"ok {number} - {name} # SKIP {reason}")
+        except Exception:  # pylint: disable=broad-except
+            failed += 1
+            traceback.print_exc()
+            print(f"not ok {number} - {name}")
+        sys.stdout.flush()
+    return 1 if failed else 0
