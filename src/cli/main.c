@@ -29,9 +29,10 @@ static const kg_command *find_command(const char *name) {
 }
 
 static void print_help(FILE *out) {
-    fputs("usage: katagami COMMAND [ARGUMENT…]\n\n"
-          "Models made of paper: curved strips, pop-up cards and folded sheets, and their nets.\n\n",
-          out);
+    fputs(
+        "usage: katagami COMMAND [ARGUMENT…]\n\n"
+        "Models made of paper: curved strips, pop-up cards and folded sheets, and their nets.\n\n",
+        out);
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         fprintf(out, "  %-10s %s\n", commands[i].name, commands[i].summary);
     fputs("\n`katagami COMMAND --help` explains a command. As a file name, - is standard input or "
