@@ -86,8 +86,8 @@ KG_API bool kg_camera_project(const kg_camera *camera, double width_px, double h
 
 /* The ray through a pixel position: starts at the eye (parallel projection: in the eye's plane),
  * unit direction. */
-KG_API void kg_camera_ray(const kg_camera *camera, double width_px, double height_px,
-                          kg_vec2 pixel, kg_vec3 *out_origin, kg_vec3 *out_direction);
+KG_API void kg_camera_ray(const kg_camera *camera, double width_px, double height_px, kg_vec2 pixel,
+                          kg_vec3 *out_origin, kg_vec3 *out_direction);
 
 /* ---- what can be drawn ------------------------------------------------------------------ */
 
@@ -188,8 +188,8 @@ typedef struct kg_viewport {
 
 /* Draws into the bound framebuffer, which must have a depth buffer; clears the viewport's part of
  * it first. Leaves depth test, blending, culling and scissor off, and no program or array bound. */
-KG_API void kg_renderer_draw(kg_renderer *renderer, const kg_scene *scene,
-                             const kg_camera *camera, kg_viewport viewport);
+KG_API void kg_renderer_draw(kg_renderer *renderer, const kg_scene *scene, const kg_camera *camera,
+                             kg_viewport viewport);
 
 /* What lies under a pixel. */
 typedef struct kg_pick {
@@ -204,8 +204,7 @@ typedef struct kg_pick {
  * behind a hit, pick again without its item. KG_ERR_SYSTEM when the card cannot make the buffer. */
 KG_API kg_status kg_renderer_pick(kg_renderer *renderer, const kg_scene *scene,
                                   const kg_camera *camera, kg_viewport viewport, kg_vec2 pixel,
-                                  double radius_px, kg_pick *out_pick,
-                                  kg_error *error) KG_CHECKED;
+                                  double radius_px, kg_pick *out_pick, kg_error *error) KG_CHECKED;
 
 /* ---- pictures --------------------------------------------------------------------------- */
 
