@@ -16,9 +16,9 @@ extern "C" {
 
 /* A named run of faces (one per patch on export). */
 typedef struct kg_mesh_group {
-    char *name;            /* UTF-8 */
+    char *name; /* UTF-8 */
     size_t first_face, face_count;
-    float color[4];        /* linear RGBA in [0,1] */
+    float color[4]; /* linear RGBA in [0,1] */
 } kg_mesh_group;
 
 /* Any set of polygons: open, non-manifold, several components, 3 corners or more. Face f has the
@@ -57,8 +57,8 @@ typedef enum kg_mesh_format {
 } kg_mesh_format;
 
 /* The format a path's extension names, in any case; KG_ERR_INPUT for any other. */
-KG_API kg_status kg_mesh_format_of(const char *path, kg_mesh_format *out_format, kg_error *error)
-    KG_CHECKED;
+KG_API kg_status kg_mesh_format_of(const char *path, kg_mesh_format *out_format,
+                                   kg_error *error) KG_CHECKED;
 
 typedef struct kg_mesh_report {
     size_t skipped_faces; /* with fewer than 3 corners or a repeated one */
@@ -105,8 +105,8 @@ KG_API kg_box3 kg_mesh_bounds(const kg_mesh *mesh);
 /* Applies a row-major affine 4×4 matrix (last row 0 0 0 1) to points and normals; a mirroring one
  * also reverses the corners of every face, so that fronts stay fronts. KG_ERR_INPUT, with the mesh
  * as it was, when the matrix is not affine or a result would not be finite. */
-KG_API kg_status kg_mesh_transform(kg_mesh *mesh, const double matrix[16], kg_error *error)
-    KG_CHECKED;
+KG_API kg_status kg_mesh_transform(kg_mesh *mesh, const double matrix[16],
+                                   kg_error *error) KG_CHECKED;
 
 /* Scales and moves the mesh so that the longest side of its bounds is `size_mm` and their centre
  * the origin. KG_ERR_INPUT for a mesh that is a single point or a size that is not positive. */

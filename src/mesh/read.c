@@ -1,0 +1,89 @@
+#include "base/file.h"
+#include "mesh/format.h"
+
+#include <locale.h>
+#include <stdlib.h>
+#include <string.h>
+
+kg_status kg_mesh_format_of(const char *path, kg_mesh_format *out_format, kg_error *error) {
+    static const char *const extensions[] = {
+        [KG_MESH_OBJ] = ".obj", [KG_MESH_PLY] = ".ply",   [KG_MESH_STL] = ".stl",
+        [KG_MESH_OFF] = ".off", [KG_MESH_GLTF] = ".gltf", [KG_MESH_GLB] = ".glb",
+    };
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof extensions / sizeof *extensions; i++) {
+        size_t n = 0;
+        while (dot[n] && (n ? (dot[n] | 0x20) : dot[n]) == extensions[i][n])
+            n++;
+        if (!dot[n] && !extensions[i][n]) {
+            *out_format = (kg_mesh_format)i;
+            return KG_OK;
+        }
+    }
+    return kg_fail(error, KG_ERR_INPUT,
+                   "%s: not a mesh file by its name: use .obj, .ply, .stl, .off, .gltf or .glb",
+                   path);
+}
+
+static kg_status read_format(const void *data, size_t size, kg_mesh_format format,
+                             const char *folder, kg_mesh_builder *b, kg_error *error) {
+    switch (format) {
+    case KG_MESH_OBJ:
+        return kg_obj_read(data, size, b, error);
+    case KG_MESH_PLY:
+        return kg_ply_read(data, size, b, error);
+    case KG_MESH_STL:
+        return kg_stl_read(data, size, b, error);
+    case KG_MESH_OFF:
+        return kg_off_read(data, size, b, error);
+    default:
+        return kg_gltf_read(data, size, folder, b, error);
+    }
+}
+
+static kg_status read_data(const void *data, size_t size, kg_mesh_format format, const char *name,
+                           const char *folder, kg_mesh **out_mesh, kg_mesh_report *out_report,
+                           kg_error *error) {
+    locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    if (!c_locale)
+        return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", name);
+    locale_t callers = uselocale(c_locale);
+    kg_mesh_builder b = {.name = name};
+    kg_status status = read_format(data, size, format, folder, &b, error);
+    if (!status)
+        status = kg_mesh_builder_finish(&b, out_mesh, out_report, error);
+    kg_mesh_builder_free(&b);
+    uselocale(callers);
+    freelocale(c_locale);
+    return status;
+}
+
+kg_status kg_mesh_read_memory(const void *data, size_t size, kg_mesh_format format,
+                              const char *name, kg_mesh **out_mesh, kg_mesh_report *out_report,
+                              kg_error *error) {
+    return read_data(data, size, format, name, NULL, out_mesh, out_report, error);
+}
+
+kg_status kg_mesh_read_reporting(const char *path, kg_mesh **out_mesh, kg_mesh_report *out_report,
+                                 kg_error *error) {
+    kg_mesh_format format;
+    kg_status status = kg_mesh_format_of(path, &format, error);
+    if (status)
+        return status;
+    const char *slash = strrchr(path, '/');
+    char *data, *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    size_t size;
+    if (!folder)
+        return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", path);
+    status = kg_file_read(path, &data, &size, error);
+    if (!status) {
+        status = read_data(data, size, format, path, folder, out_mesh, out_report, error);
+        free(data);
+    }
+    free(folder);
+    return status;
+}
+
+kg_status kg_mesh_read(const char *path, kg_mesh **out_mesh, kg_error *error) {
+    return kg_mesh_read_reporting(path, out_mesh, NULL, error);
+}
