@@ -393,7 +393,12 @@ static bool fit_write(fit *f, bool closed) {
             return false;
         first = last;
     }
-    return !closed || kg_path_close(f->path);
+    if (!closed)
+        return true;
+    /* Closing draws the line back to the start. */
+    if (f->path->items[f->path->count - 1].verb == KG_PATH_LINE)
+        f->path->count--;
+    return kg_path_close(f->path);
 }
 
 static bool fit_run(fit *f, const kg_vec2 *points, const unsigned char *corners, size_t count,

@@ -1,0 +1,38 @@
+#include "net/text.h"
+
+#include <string.h>
+
+/* One character of UTF-8 at *text, moved behind it; bytes that are none count as one each. */
+static uint32_t character(const unsigned char **text) {
+    const unsigned char *s = *text;
+    int more = *s >= 0xf0 ? 3 : *s >= 0xe0 ? 2 : *s >= 0xc0 ? 1 : 0;
+    uint32_t code = more == 3 ? *s & 7u : more == 2 ? *s & 15u : more == 1 ? *s & 31u : *s;
+    s++;
+    for (; more > 0 && (*s & 0xc0) == 0x80; more--)
+        code = code << 6 | (*s++ & 63u);
+    *text = s;
+    return code;
+}
+
+double kg_text_width(const char *text) {
+    const unsigned char *s = (const unsigned char *)text;
+    double width = 0;
+    while (*s) {
+        uint32_t c = character(&s);
+        bool narrow = c < 128 && c != 0 && strchr(" !'()*,-./:;I[]`fijlrt|", (int)c);
+        bool wide = c == 'M' || c == 'W' || c == 'm' || c == 'w' || c == '%' || c == '@';
+        bool full = c >= 0x1100 && !(c >= 0x1e00 && c < 0x2e80) && !(c >= 0xff61 && c < 0xffe0);
+        width += full ? 1 : wide ? 0.92 : narrow ? 0.4 : 0.66;
+    }
+    return width;
+}
+
+kg_vec2 kg_caption_half(const kg_caption *caption) {
+    double size = caption->capital / KG_TEXT_CAPITAL;
+    return kg_v2(kg_text_width(caption->text) * size / 2, caption->capital / 2);
+}
+
+kg_vec2 kg_caption_baseline(const kg_caption *caption) {
+    double down = caption->capital / 2;
+    return kg_add2(caption->centre, kg_v2(-down * sin(caption->angle), down * cos(caption->angle)));
+}

@@ -1,0 +1,27 @@
+/*
+ * Text of captions: how wide it is, and its outlines.
+ *
+ * Widths come from a small table, so that pages look the same whatever fonts a machine has and no
+ * font library has to start; outlines come from Pango.
+ */
+#ifndef KG_NET_TEXT_H
+#define KG_NET_TEXT_H
+
+#include "net/drawing.h"
+
+/* Font families, the Japanese one first: its Latin letters are fine too. */
+#define KG_TEXT_FAMILIES "IPAexGothic, Noto Sans CJK JP, sans-serif"
+
+/* Height of capitals over font size, as most sans fonts have it. */
+#define KG_TEXT_CAPITAL 0.73
+
+/* Width of `text` in font sizes, on the generous side: a full-width character is 1. */
+double kg_text_width(const char *text);
+
+/* Half width and half height of a caption's box, mm. */
+kg_vec2 kg_caption_half(const kg_caption *caption);
+
+/* Middle of the baseline. */
+kg_vec2 kg_caption_baseline(const kg_caption *caption);
+
+#endif
