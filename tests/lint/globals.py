@@ -3,7 +3,7 @@
 usage: globals.py OBJDUMP LIBRARY.a …
 
 Constant tables with pointers live in .data.rel.ro, which is read-only once loaded. C++ symbols are
-left out: the standard library's headers plant their own.
+left out: the standard library's headers and the compiler's exception tables plant their own.
 """
 
 import re
@@ -24,7 +24,7 @@ def main(objdump, libraries):
             if "file format" in line:
                 member = line.split(":")[0]
             symbol = SYMBOL.match(line)
-            if symbol and WRITABLE.match(symbol[1]) and not symbol[2].startswith("_Z"):
+            if symbol and WRITABLE.match(symbol[1]) and not symbol[2].startswith(("_Z", "DW.ref.")):
                 print(f"{library}({member}): {symbol[2]} is a mutable global")
                 bad += 1
     return 1 if bad else 0

@@ -27,10 +27,11 @@ BELOW = {
     "render": ["document"],
     "app": ["document", "render"],
     "cli": ["document", "render", "app"],
+    "samples": ["document"],
 }
 # Public headers named otherwise than their module.
 MODULE_OF_HEADER = {"crossing": "trim"}
-FRONT_ENDS = {"app", "cli"}  # the only ones that talk to people
+FRONT_ENDS = {"app", "cli", "samples"}  # the only ones that talk to people
 
 TOP_LEVEL = {"meson.build", "src", "include", "shaders", "data", "tests", "docs", "README.md",
              "LICENSE", "CHANGELOG.md", "dev"}
