@@ -45,13 +45,13 @@ KG_API kg_status kg_curve_init(const kg_vec3 *points, size_t count, kg_curve *ou
 
 KG_API kg_vec3 kg_curve_point(const kg_curve *curve, double v);
 
-/* p, p', …, up to the derivative `order` (0 … 4): order + 1 vectors. */
+/* p, p', …, up to the derivative `order` (0 … 5): order + 1 vectors. */
 KG_API void kg_curve_derivatives(const kg_curve *curve, double v, int order, kg_vec3 *out);
 
 /* The same curve on [v0, v1], exactly (de Casteljau). v0 < v1. */
 KG_API kg_curve kg_curve_segment(const kg_curve *curve, double v0, double v1);
 
-/* Arc length on [v0, v1], to 1e-13 relative (adaptive Gauss-Legendre); negative for v1 < v0. */
+/* Arc length on [v0, v1], to 1e-13 relative (Gauss-Legendre on certified pieces); negative for v1 < v0. */
 KG_API double kg_curve_length(const kg_curve *curve, double v0, double v1);
 
 /* The v where the arc length from 0 is `length`, to 1e-12 of the whole; clamped to [0,1]. */

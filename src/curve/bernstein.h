@@ -30,7 +30,7 @@ void kg_bernstein_cross(const kg_vec3 *a, int n, const kg_vec3 *b, int m, kg_vec
 void kg_bernstein_elevate3(const kg_vec3 *a, int n, int m, kg_vec3 *out);
 
 /* The quotient by (t - root), degree n - 1, where a(root) = 0; the remainder is dropped. Works
- * from the end farther from the root, where the recurrence is stable. */
+ * from the end farther from the root, where the recurrence is stable. In place is allowed. */
 void kg_bernstein_deflate3(const kg_vec3 *a, int n, double root, kg_vec3 *out);
 
 /* Coefficients of the same polynomial on [lo, hi], in place. */

@@ -1,7 +1,6 @@
 #include "katagami/curve.h"
 
 #include "curve/bernstein.h"
-#include "curve/quadrature.h"
 
 #include <assert.h>
 
@@ -9,47 +8,37 @@
  * would have lost half of its digits. */
 #define STATIONARY 1e-7
 
-static double speed(const void *data, double v) {
-    kg_vec3 d[2];
-    kg_curve_derivatives(data, v, 1, d);
-    return kg_len(d[1]);
+/* Halvings of [0,1] at most while a stationary point is looked for. */
+enum { MAX_DEPTH = 40 };
+
+/* Whether |p'| > `least` on the piece [lo, hi] of the curve with the control legs `legs` (n of
+ * them): the legs are Bézier coefficients of p', so it holds where all reach farther than that in
+ * one direction. Else `*out_v` is where not. */
+static bool moves(const kg_vec3 *legs, int n, double least, double lo, double hi, int depth,
+                  double *out_v) {
+    /* de Casteljau at the middle, in place, leaves the right half */
+    kg_vec3 left[KG_CURVE_MAX_POINTS], right[KG_CURVE_MAX_POINTS];
+    for (int i = 0; i < n; i++)
+        right[i] = legs[i];
+    for (int k = 1; k <= n; k++) {
+        left[k - 1] = right[0];
+        for (int i = 0; i < n - k; i++)
+            right[i] = kg_scale(kg_add(right[i], right[i + 1]), 0.5);
+    }
+    double v = 0.5 * (lo + hi), speed = kg_len(right[0]), reach = INFINITY;
+    for (int i = 0; i < n; i++)
+        reach = fmin(reach, kg_dot(legs[i], right[0]));
+    if (reach > least * speed)
+        return true;
+    bool start = kg_len(legs[0]) <= least, end = kg_len(legs[n - 1]) <= least;
+    *out_v = start ? lo : end ? hi : v;
+    if (start || end || speed <= least || depth == MAX_DEPTH)
+        return false;
+    return moves(left, n, least, lo, v, depth + 1, out_v) &&
+           moves(right, n, least, v, hi, depth + 1, out_v);
 }
 
-/* The smallest |p'| on [0,1] and where: samples, then golden section around the best. */
-static double slowest(const kg_curve *curve, double *out_v) {
-    enum { N = 64 };
-    double best = INFINITY, at = 0;
-    for (int i = 0; i <= N; i++) {
-        double s = speed(curve, (double)i / N);
-        if (s < best) {
-            best = s;
-            at = (double)i / N;
-        }
-    }
-    const double golden = 0.61803398874989485;
-    double lo = fmax(0, at - 1.0 / N), hi = fmin(1, at + 1.0 / N);
-    double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo);
-    double fa = speed(curve, a), fb = speed(curve, b);
-    while (hi - lo > 1e-12) {
-        if (fa < fb) {
-            hi = b, b = a, fb = fa;
-            a = hi - golden * (hi - lo), fa = speed(curve, a);
-        } else {
-            lo = a, a = b, fa = fb;
-            b = lo + golden * (hi - lo), fb = speed(curve, b);
-        }
-    }
-    double s = speed(curve, 0.5 * (lo + hi));
-    if (s < best) {
-        best = s;
-        at = 0.5 * (lo + hi);
-    }
-    *out_v = at;
-    return best;
-}
-
-kg_status kg_curve_init(const kg_vec3 *points, size_t count, kg_curve *out_curve,
-                        kg_error *error) {
+kg_status kg_curve_init(const kg_vec3 *points, size_t count, kg_curve *out_curve, kg_error *error) {
     if (count != 4 && count != 6)
         return kg_fail(error, KG_ERR_INPUT,
                        "a geodesic has 4 or 6 control points, not %zu; give one of these", count);
@@ -67,8 +56,11 @@ kg_status kg_curve_init(const kg_vec3 *points, size_t count, kg_curve *out_curve
         if (i > 0)
             fastest = fmax(fastest, c.degree * kg_dist(p, points[i - 1]));
     }
+    kg_vec3 legs[KG_CURVE_MAX_POINTS];
+    for (int i = 0; i < c.degree; i++)
+        legs[i] = kg_scale(kg_sub(c.points[i + 1], c.points[i]), c.degree);
     double v;
-    if (slowest(&c, &v) <= STATIONARY * fastest)
+    if (!moves(legs, c.degree, STATIONARY * fastest, 0, 1, 0, &v))
         return kg_fail(error, KG_ERR_INPUT,
                        "the geodesic stands still at v = %.4g (control points coincide or the "
                        "curve has a cusp); move the control points apart",
@@ -84,7 +76,7 @@ kg_vec3 kg_curve_point(const kg_curve *curve, double v) {
 }
 
 void kg_curve_derivatives(const kg_curve *curve, double v, int order, kg_vec3 *out) {
-    assert(order >= 0 && order <= 4);
+    assert(order >= 0 && order < KG_CURVE_MAX_POINTS);
     kg_vec3 q[KG_CURVE_MAX_POINTS];
     int n = curve->degree;
     double factor = 1;
@@ -114,34 +106,6 @@ kg_curve kg_curve_segment(const kg_curve *curve, double v0, double v1) {
     kg_curve r = *curve;
     kg_bernstein_restrict3(r.points, r.degree, v0, v1);
     return r;
-}
-
-double kg_curve_length(const kg_curve *curve, double v0, double v1) {
-    return kg_integrate(speed, curve, v0, v1, 1e-14);
-}
-
-double kg_curve_at_length(const kg_curve *curve, double length) {
-    double total = kg_curve_length(curve, 0, 1);
-    if (length <= 0)
-        return 0;
-    if (length >= total)
-        return 1;
-    /* Newton steps kept inside a shrinking bracket. */
-    double lo = 0, hi = 1, v = length / total, at = kg_curve_length(curve, 0, v);
-    for (int i = 0; i < 60 && fabs(at - length) > 1e-15 * total; i++) {
-        if (at < length)
-            lo = v;
-        else
-            hi = v;
-        double next = v - (at - length) / speed(curve, v);
-        if (!(next > lo && next < hi))
-            next = 0.5 * (lo + hi);
-        if (next == v)
-            break;
-        at += kg_curve_length(curve, v, next);
-        v = next;
-    }
-    return v;
 }
 
 kg_frenet kg_curve_frenet(const kg_curve *curve, double v) {
