@@ -23,36 +23,40 @@ static kg_status compile(kg_renderer *renderer, kg_error *error) {
     return KG_OK;
 }
 
-static void draw_ids(const kg_renderer *renderer, const kg_frame *frame, const kg_scene *scene) {
+static void begin(const kg_frame *frame) {
     const GLuint nothing[4] = {0};
     const kg_viewport *v = &frame->viewport;
     glViewport(v->x, v->y, v->width, v->height);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
+    glDisable(GL_POLYGON_OFFSET_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDepthMask(GL_TRUE);
     glEnable(GL_DEPTH_TEST);
     glClearBufferuiv(GL_COLOR, 0, nothing);
     glClear(GL_DEPTH_BUFFER_BIT);
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1, 1);
-    /* Surfaces, then lines and points in their order, as in the picture; what is seen even where
-     * hidden can be picked there too. */
-    for (int thin = 0; thin < 2; thin++) {
-        for (size_t i = 0; i < scene->item_count; i++) {
-            const kg_item *item = &scene->items[i];
-            if (item->id == 0 || (item->shape->kind != KG_SHAPE_SURFACE) != thin)
-                continue;
-            glDepthFunc(thin && item->style.hidden > 0 ? GL_ALWAYS : GL_LEQUAL);
-            kg_frame_item(renderer, frame, item, KG_PART_ID, (uint32_t)i + 1);
-        }
-    }
-    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+static void end(void) {
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(0);
     glUseProgram(0);
+}
+
+/* Surfaces, or lines and points in their order, as in the picture. What is seen even where hidden
+ * can be picked there too. */
+static void draw_ids(const kg_renderer *renderer, const kg_frame *frame, const kg_scene *scene,
+                     bool surfaces) {
+    for (size_t i = 0; i < scene->item_count; i++) {
+        const kg_item *item = &scene->items[i];
+        if (item->id == 0 || (item->shape->kind == KG_SHAPE_SURFACE) != surfaces)
+            continue;
+        glDepthFunc(!surfaces && item->style.hidden > 0 ? GL_ALWAYS : GL_LEQUAL);
+        kg_frame_item(renderer, frame, item, KG_PART_ID, (uint32_t)i + 1);
+    }
+    glDepthFunc(GL_LEQUAL);
 }
 
 /* The winning texel of a square of 2 radius + 1: points before lines before the surface in the
@@ -93,7 +97,7 @@ kg_status kg_renderer_pick(kg_renderer *renderer, const kg_scene *scene, const k
         return status;
     size_t count = (size_t)side * (size_t)side;
     texel *texels = calloc(count, sizeof *texels);
-    float *depths = calloc(count, sizeof *depths);
+    float *depths = calloc(count, sizeof *depths), depth = 0;
     if (!texels || !depths) {
         status = kg_fail(error, KG_ERR_MEMORY, "no memory to find what is under the pointer");
         goto done;
@@ -104,7 +108,12 @@ kg_status kg_renderer_pick(kg_renderer *renderer, const kg_scene *scene, const k
     around.x = -x;
     around.y = -y;
     kg_frame frame = kg_frame_make(camera, kg_scene_box(scene), around);
-    draw_ids(renderer, &frame, scene);
+    begin(&frame);
+    draw_ids(renderer, &frame, scene, true);
+    glReadPixels(radius, radius, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    kg_frame_push_depth(renderer, &frame, scene, KG_PART_ID);
+    draw_ids(renderer, &frame, scene, false);
+    end();
     glReadPixels(0, 0, side, side, GL_RG_INTEGER, GL_UNSIGNED_INT, texels);
     glReadPixels(0, 0, side, side, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
     int at = winner(scene, texels, radius);
@@ -112,8 +121,10 @@ kg_status kg_renderer_pick(kg_renderer *renderer, const kg_scene *scene, const k
         kg_vec2 center = kg_v2(x + at % side + 0.5, viewport.height - (y + at / side + 0.5));
         pick.id = scene->items[texels[at].item - 1].id;
         pick.element = texels[at].element;
+        if (scene->items[texels[at].item - 1].shape->kind != KG_SHAPE_SURFACE)
+            depth = depths[at];
         pick.position = kg_camera_unproject(camera, viewport.width, viewport.height, center,
-                                            (double)depths[at], frame.near, frame.far);
+                                            (double)depth, frame.near, frame.far);
     }
     *out_pick = pick;
 done:

@@ -1,6 +1,6 @@
 #include "render/program.h"
 
-#include "shaders.h"
+#include "render/shaders.h"
 
 static const char *const uniform_names[KG_UNIFORM_COUNT] = {
     [KG_UNIFORM_MODEL_VIEW] = "model_view",

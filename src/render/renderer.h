@@ -36,6 +36,11 @@ typedef enum kg_part { KG_PART_CORE, KG_PART_RIM, KG_PART_ID } kg_part;
 void kg_frame_item(const kg_renderer *renderer, const kg_frame *frame, const kg_item *item,
                    kg_part part, uint32_t id);
 
+/* Replaces the depth buffer by one in which the drawn surfaces (for KG_PART_ID those with an id)
+ * stay behind their outlines. */
+void kg_frame_push_depth(const kg_renderer *renderer, const kg_frame *frame, const kg_scene *scene,
+                         kg_part part);
+
 /* kg_renderer_draw() into a part `clip` of the framebuffer: pictures larger than one framebuffer
  * are drawn tile by tile. */
 void kg_renderer_draw_clipped(kg_renderer *renderer, const kg_scene *scene, const kg_camera *camera,
