@@ -46,8 +46,10 @@ static void draw_axis(const kg_renderer *renderer, const kg_frame *frame, int ax
 }
 
 void kg_frame_axes(const kg_renderer *renderer, const kg_frame *frame) {
-    const double size_px = 90, reach = 1.5;
+    const double size_px = 90, reach = 1.5, margin_px = 6;
     kg_viewport v = frame->viewport;
+    v.x += (int)(margin_px * v.pixel_ratio);
+    v.y += (int)(margin_px * v.pixel_ratio);
     v.width = v.height = (int)(size_px * v.pixel_ratio);
     kg_camera camera = *frame->camera;
     camera.center = kg_v3(0, 0, 0);

@@ -79,7 +79,6 @@ void kg_offscreen_destroy(kg_offscreen *offscreen) {
         eglMakeCurrent(offscreen->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(offscreen->display, offscreen->context);
     }
-    if (offscreen->display != EGL_NO_DISPLAY)
-        eglTerminate(offscreen->display);
+    /* The display stays: it is the process's, and other off-screen contexts share it. */
     free(offscreen);
 }

@@ -121,22 +121,13 @@ static void join_vertices(splitter *s) {
 
 static kg_status triangulate(splitter *s, size_t *out_count, kg_error *error) {
     const kg_mesh *m = &s->mesh;
-    size_t count = s->count - 2 * m->face_count, n = 0;
+    size_t count = s->count - 2 * m->face_count; /* n - 2 of every n-gon */
     s->triangles = calloc(count + 1, 3 * sizeof *s->triangles);
     s->faces = calloc(count + 1, sizeof *s->faces);
     if (!s->triangles || !s->faces)
         return kg_fail(error, KG_ERR_MEMORY, "no memory for %zu triangles", count);
-    for (uint32_t f = 0; f < m->face_count; f++) {
-        uint32_t begin = m->face_starts[f], end = m->face_starts[f + 1];
-        for (uint32_t c = begin + 1; c + 1 < end; c++, n++) {
-            s->triangles[3 * n] = m->face_corners[begin];
-            s->triangles[3 * n + 1] = m->face_corners[c];
-            s->triangles[3 * n + 2] = m->face_corners[c + 1];
-            s->faces[n] = f;
-        }
-    }
     *out_count = count;
-    return KG_OK;
+    return kg_mesh_triangulate(m, s->triangles, s->faces, error);
 }
 
 /* Fills the surface's vertices, one per class, with the mean of its faces' normals by area. */
