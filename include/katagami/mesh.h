@@ -29,7 +29,7 @@ typedef struct kg_mesh {
     kg_vec3 *positions;
     kg_vec3 *normals; /* per vertex, unit, or NULL */
     size_t face_count;
-    uint32_t *face_starts; /* face_count + 1 */
+    uint32_t *face_starts; /* face_count + 1; may be NULL without faces */
     uint32_t *face_corners;
     size_t group_count;
     kg_mesh_group *groups; /* may be NULL */

@@ -4,14 +4,7 @@
 #include <string.h>
 
 kg_mesh *kg_mesh_create(void) {
-    kg_mesh *mesh = calloc(1, sizeof *mesh);
-    if (mesh)
-        mesh->face_starts = calloc(1, sizeof *mesh->face_starts);
-    if (mesh && !mesh->face_starts) {
-        free(mesh);
-        return NULL;
-    }
-    return mesh;
+    return calloc(1, sizeof(kg_mesh));
 }
 
 void kg_mesh_destroy(kg_mesh *mesh) {
@@ -27,12 +20,17 @@ void kg_mesh_destroy(kg_mesh *mesh) {
     free(mesh);
 }
 
+/* An empty mesh need not have face_starts. */
+static uint32_t corner_count_of(const kg_mesh *mesh) {
+    return mesh->face_count ? mesh->face_starts[mesh->face_count] : 0;
+}
+
 static bool is_finite(kg_vec3 p) {
     return isfinite(p.x) && isfinite(p.y) && isfinite(p.z);
 }
 
 static kg_status check_faces(const kg_mesh *mesh, uint32_t *last_face, kg_error *error) {
-    if (mesh->face_count >= UINT32_MAX || mesh->face_starts[0] != 0)
+    if (mesh->face_count >= UINT32_MAX || (mesh->face_count && mesh->face_starts[0] != 0))
         return kg_fail(error, KG_ERR_INPUT, "mesh: the faces do not start at corner 0");
     for (size_t f = 0; f < mesh->face_count; f++) {
         uint32_t begin = mesh->face_starts[f], end = mesh->face_starts[f + 1];
@@ -77,7 +75,7 @@ kg_status kg_mesh_check(const kg_mesh *mesh, kg_error *error) {
 
 kg_box3 kg_mesh_bounds(const kg_mesh *mesh) {
     kg_box3 box = kg_box3_empty();
-    size_t corner_count = mesh->face_starts[mesh->face_count];
+    size_t corner_count = corner_count_of(mesh);
     for (size_t c = 0; c < corner_count; c++)
         kg_box3_add(&box, mesh->positions[mesh->face_corners[c]]);
     for (size_t v = 0; !corner_count && v < mesh->vertex_count; v++)
@@ -211,8 +209,7 @@ static bool append_groups(kg_mesh *joined, const kg_mesh *part) {
 static bool append_part(kg_mesh *joined, const kg_mesh *part) {
     if (!append_groups(joined, part))
         return false;
-    uint32_t first_corner = joined->face_starts[joined->face_count];
-    uint32_t corner_count = part->face_starts[part->face_count];
+    uint32_t first_corner = corner_count_of(joined), corner_count = corner_count_of(part);
     for (uint32_t c = 0; c < corner_count; c++)
         joined->face_corners[first_corner + c] =
             part->face_corners[c] + (uint32_t)joined->vertex_count;
@@ -229,15 +226,13 @@ static bool append_part(kg_mesh *joined, const kg_mesh *part) {
 }
 
 kg_status kg_mesh_append(kg_mesh *mesh, const kg_mesh *other, kg_error *error) {
-    uint64_t corner_count =
-        (uint64_t)mesh->face_starts[mesh->face_count] + other->face_starts[other->face_count];
+    uint64_t corner_count = (uint64_t)corner_count_of(mesh) + corner_count_of(other);
     uint64_t vertex_count = (uint64_t)mesh->vertex_count + other->vertex_count;
     if (corner_count >= UINT32_MAX || vertex_count >= UINT32_MAX)
         return kg_fail(error, KG_ERR_MEMORY, "mesh: the joined meshes are too large");
     kg_mesh *joined = kg_mesh_create();
     bool ok = joined != NULL;
     if (ok) {
-        free(joined->face_starts);
         joined->face_starts =
             calloc(mesh->face_count + other->face_count + 1, sizeof *joined->face_starts);
         joined->face_corners = calloc((size_t)corner_count + 1, sizeof *joined->face_corners);

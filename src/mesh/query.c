@@ -47,21 +47,42 @@ static void improve(best *b, double distance, size_t triangle, kg_vec3 point) {
         *b = (best){distance, triangle, point};
 }
 
-/* The signed volumes that the ray spans with the edges tell on which side it passes each (Plücker
- * coordinates). An edge gives both its triangles the same number but for the sign, so that no ray
- * slips between neighbours. */
-static void meet_ray(best *b, const kg_mesh_query *q, size_t triangle, kg_vec3 origin,
-                     kg_vec3 direction) {
+/* A ray and the shear that lays it along the third axis, its largest, through the origin: point p
+ * goes to (p[x] - p[z] shear_x, p[y] - p[z] shear_y). */
+typedef struct ray_line {
+    kg_vec3 origin, direction;
+    int x, y, z;
+    double shear_x, shear_y;
+} ray_line;
+
+static ray_line line_of(kg_vec3 origin, kg_vec3 direction) {
+    double d[3] = {direction.x, direction.y, direction.z};
+    int z = fabs(d[0]) > fabs(d[1]) ? 0 : 1;
+    z = fabs(d[2]) > fabs(d[z]) ? 2 : z;
+    int x = (z + 1) % 3, y = (z + 2) % 3;
+    return (ray_line){origin, direction, x, y, z, d[x] / d[z], d[y] / d[z]};
+}
+
+static kg_vec2 shear(const ray_line *ray, kg_vec3 p) {
+    kg_vec3 away = kg_sub(p, ray->origin);
+    double a[3] = {away.x, away.y, away.z};
+    return kg_v2(a[ray->x] - a[ray->z] * ray->shear_x, a[ray->y] - a[ray->z] * ray->shear_y);
+}
+
+/* S. Woop, C. Benthin, I. Wald, "Watertight ray/triangle intersection", Journal of Computer
+ * Graphics Techniques 2 (2013), 65-82. Neighbours see the same sheared corners, and the sign of a
+ * cross product of theirs, the difference of two rounded products, is right or zero: no ray slips
+ * between them, neither at an edge nor at a corner. */
+static void meet_ray(best *b, const kg_mesh_query *q, size_t triangle, const ray_line *ray) {
     const kg_vec3 *p = q->corners + 3 * triangle;
-    kg_vec3 a0 = kg_sub(p[0], origin), a1 = kg_sub(p[1], origin), a2 = kg_sub(p[2], origin);
-    double w0 = kg_det(direction, a1, a2), w1 = kg_det(direction, a2, a0),
-           w2 = kg_det(direction, a0, a1);
+    kg_vec2 s0 = shear(ray, p[0]), s1 = shear(ray, p[1]), s2 = shear(ray, p[2]);
+    double w0 = kg_cross2(s1, s2), w1 = kg_cross2(s2, s0), w2 = kg_cross2(s0, s1);
     double sum = w0 + w1 + w2;
     bool front = w0 >= 0 && w1 >= 0 && w2 >= 0, back = w0 <= 0 && w1 <= 0 && w2 <= 0;
     if (!(front || back) || sum == 0)
         return;
     kg_vec3 point = kg_madd(kg_madd(kg_scale(p[0], w0 / sum), w1 / sum, p[1]), w2 / sum, p[2]);
-    double distance = kg_dot(kg_sub(point, origin), direction);
+    double distance = kg_dot(kg_sub(point, ray->origin), ray->direction);
     if (distance >= 0)
         improve(b, distance, triangle, point);
 }
@@ -115,7 +136,7 @@ static void bound_triangle(const struct RTCBoundsFunctionArguments *args) {
 typedef struct ray_search {
     struct RTCIntersectContext context;
     const kg_mesh_query *query;
-    kg_vec3 origin, direction;
+    ray_line line;
     best found;
 } ray_search;
 
@@ -123,7 +144,7 @@ static void intersect_triangle(const struct RTCIntersectFunctionNArguments *args
     ray_search *s = (ray_search *)args->context;
     if (args->N != 1 || !args->valid[0])
         return;
-    meet_ray(&s->found, s->query, args->primID, s->origin, s->direction);
+    meet_ray(&s->found, s->query, args->primID, &s->line);
     /* Boxes behind the hit need no visit; ties do. */
     struct RTCRayHit *ray = (struct RTCRayHit *)args->rayhit;
     float reach = (float)(s->found.distance + slack);
@@ -156,7 +177,7 @@ static kg_vec3 scaled(const kg_mesh_query *q, kg_vec3 p) {
 
 static bool answer(const kg_mesh_query *q, const best *found, double distance,
                    kg_mesh_hit *out_hit) {
-    if (found->triangle == SIZE_MAX)
+    if (found->triangle == SIZE_MAX || !isfinite(distance))
         return false;
     const kg_vec3 *c = q->corners + 3 * found->triangle;
     *out_hit = (kg_mesh_hit){
@@ -196,13 +217,14 @@ bool kg_mesh_query_ray(const kg_mesh_query *q, kg_vec3 origin, kg_vec3 direction
     /* Started at the box, however far away the origin is, the ray is as exact as the tree. */
     if (!(kg_len(d) > 0.5) || !isfinite(kg_len(o)) || !enter_box(q->box, 1e-3, o, d, &enter))
         return false;
-    ray_search s = {.query = q, .origin = kg_madd(o, enter, d), .direction = d};
+    o = kg_madd(o, enter, d);
+    ray_search s = {.query = q, .line = line_of(o, d)};
     s.found = (best){INFINITY, SIZE_MAX, {0, 0, 0}};
     rtcInitIntersectContext(&s.context);
     struct RTCRayHit ray = {
-        .ray = {.org_x = (float)s.origin.x,
-                .org_y = (float)s.origin.y,
-                .org_z = (float)s.origin.z,
+        .ray = {.org_x = (float)o.x,
+                .org_y = (float)o.y,
+                .org_z = (float)o.z,
                 .dir_x = (float)d.x,
                 .dir_y = (float)d.y,
                 .dir_z = (float)d.z,

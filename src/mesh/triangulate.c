@@ -122,7 +122,7 @@ static void cut(const kg_mesh *mesh, const uint32_t *corners, size_t n, ring *r,
 }
 
 size_t kg_mesh_triangle_count(const kg_mesh *mesh) {
-    return mesh->face_starts[mesh->face_count] - 2 * mesh->face_count;
+    return mesh->face_count ? mesh->face_starts[mesh->face_count] - 2 * mesh->face_count : 0;
 }
 
 kg_status kg_mesh_triangulate(const kg_mesh *mesh, uint32_t *out_corners, uint32_t *out_faces,

@@ -9,6 +9,8 @@ static kg_status check_writable(const kg_mesh *mesh, kg_error *error) {
     kg_status status = kg_mesh_check(mesh, error);
     if (status)
         return status;
+    if (!mesh->face_count)
+        return kg_fail(error, KG_ERR_INPUT, "mesh: there are no faces to write");
     for (size_t v = 0; v < mesh->vertex_count; v++) {
         kg_vec3 p = mesh->positions[v];
         if (fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))) > (double)FLT_MAX)
