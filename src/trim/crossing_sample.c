@@ -1,0 +1,112 @@
+/* Single points of a crossing: two rulings that meet, and the curve's tangent there. */
+#include "trim/crossing.h"
+
+/* v and t within this of 0 or 1 are on the side. */
+#define SIDE_SLACK 1e-10
+
+/* Value and derivative of a Bernstein polynomial from the two halves of the last de Casteljau
+ * step, by Horner's scheme as kg_bernstein_eval3. */
+static void evaluate(const kg_vec3 *a, int n, double t, kg_vec3 *out_value, kg_vec3 *out_slope) {
+    if (n == 0) {
+        *out_value = a[0];
+        *out_slope = kg_v3(0, 0, 0);
+        return;
+    }
+    static const double inverse[KG_PLUCKER_MAX] = {
+        0,        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,
+        1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15,
+        1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23};
+    bool low = t <= 0.5;
+    int m = n - 1, first = low ? 0 : m, step = low ? 1 : -1;
+    double r = low ? t / (1 - t) : (1 - t) / t, w = 1, scale = low ? 1 - t : t, power = 1;
+    kg_vec3 x = a[first], y = a[first + 1];
+    for (int i = 1; i <= m; i++) {
+        w *= r * (m - i + 1) * inverse[i];
+        power *= scale;
+        x = kg_madd(x, w, a[first + step * i]);
+        y = kg_madd(y, w, a[first + step * i + 1]);
+    }
+    *out_value = kg_scale(kg_lerp(x, y, t), power);
+    *out_slope = kg_scale(kg_sub(y, x), n * power);
+}
+
+kg_line kg_ruled_line(const kg_ruled *ruled, double v) {
+    kg_line l;
+    evaluate(ruled->p, ruled->patch->geodesic.degree, v, &l.p, &l.dp);
+    evaluate(ruled->patch->rulings, ruled->patch->ruling_degree, v, &l.r, &l.dr);
+    return l;
+}
+
+double kg_pair_value(const kg_line *a, const kg_line *b, double *out_v, double *out_t) {
+    kg_vec3 gap = kg_sub(b->p, a->p), rr = kg_cross(a->r, b->r);
+    *out_v = kg_dot(kg_cross(a->dr, b->r), gap) - kg_dot(rr, a->dp);
+    *out_t = kg_dot(kg_cross(a->r, b->dr), gap) + kg_dot(rr, b->dp);
+    return kg_dot(rr, gap);
+}
+
+void kg_line_unit(const kg_line *l, kg_vec3 *out_d, kg_vec3 *out_dd) {
+    double inverse = 1 / kg_len(l->r);
+    *out_d = kg_scale(l->r, inverse);
+    *out_dd = kg_scale(kg_madd(l->dr, -kg_dot(l->dr, *out_d), *out_d), inverse);
+}
+
+/* A tangent of the surface as a direction on paper: there p' points along y, d along
+ * (sin θ, cos θ), and e ⊥ d on the side of p' along (-cos θ, sin θ). */
+static kg_vec2 on_paper(const kg_line *l, kg_vec3 d, kg_vec3 tangent) {
+    double speed = kg_len(l->dp), c = kg_dot(l->dp, d) / speed;
+    kg_vec3 e = kg_madd(kg_scale(l->dp, 1 / speed), -c, d);
+    double s = kg_len(e), x = kg_dot(tangent, d), y = kg_dot(tangent, e) / s;
+    return kg_v2(x * s - y * c, x * c + y * s);
+}
+
+static double onto_side(double x, const double side[2], double slack) {
+    return fabs(x - side[0]) <= slack ? side[0] : fabs(x - side[1]) <= slack ? side[1] : x;
+}
+
+static unsigned beyond(double x, const double side[2], unsigned lo) {
+    return x < side[0] ? lo : x > side[1] ? lo << 1 : 0;
+}
+
+static const double unit_side[2] = {0, 1};
+
+kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind kind, int direction) {
+    v = onto_side(v, unit_side, SIDE_SLACK);
+    t = onto_side(t, unit_side, SIDE_SLACK);
+    kg_line a = kg_ruled_line(&pair->a, v), b = kg_ruled_line(&pair->b, t);
+    kg_vec3 da, dda, db, ddb;
+    kg_line_unit(&a, &da, &dda);
+    kg_line_unit(&b, &db, &ddb);
+    kg_sample s = {.across = kg_cross(da, db)};
+    double n2 = fmax(kg_dot(s.across, s.across), 1e-30);
+    kg_vec3 to_u = kg_scale(kg_cross(db, s.across), 1 / n2);
+    kg_vec3 to_s = kg_scale(kg_cross(da, s.across), 1 / n2);
+    kg_vec3 gap = kg_sub(b.p, a.p);
+    const double *ua = pair->a.patch->extent, *ub = pair->b.patch->extent;
+    kg_cross_point *at = &s.at;
+    at->v = v, at->t = t;
+    at->u = onto_side(kg_dot(gap, to_u), ua, pair->slack);
+    at->s = onto_side(kg_dot(gap, to_s), ub, pair->slack);
+    at->x = kg_add(kg_scale(kg_add(kg_madd(a.p, at->u, da), kg_madd(b.p, at->s, db)), 0.5),
+                   pair->a.origin);
+    s.out = beyond(at->u, ua, KG_SIDE_A_U_LO) | beyond(v, unit_side, KG_SIDE_A_V_LO) |
+            beyond(at->s, ub, KG_SIDE_B_U_LO) | beyond(t, unit_side, KG_SIDE_B_V_LO);
+
+    /* along F = const: (v', t') ∥ (-F_t, F_v); u', s' from the equal tangent of both surfaces */
+    double fv, ft;
+    kg_pair_value(&a, &b, &fv, &ft);
+    double dv = -ft, dt = fv;
+    if ((kind == KG_ARC_OVER_V ? dv : dt) * direction < 0)
+        dv = -dv, dt = -dt;
+    kg_vec3 xv = kg_madd(a.dp, at->u, dda), xt = kg_madd(b.dp, at->s, ddb);
+    kg_vec3 drift = kg_sub(kg_scale(xt, dt), kg_scale(xv, dv));
+    double du = kg_dot(drift, to_u), ds = kg_dot(drift, to_s);
+    kg_vec3 tangent = kg_madd(kg_scale(xv, dv), du, da);
+    double speed = kg_len(tangent);
+    if (!(speed > 0) || !isfinite(speed))
+        return s;
+    s.slope = (kg_cross_point){du / speed, dv / speed, ds / speed, dt / speed,
+                               kg_scale(tangent, 1 / speed)};
+    s.paper[0] = on_paper(&a, da, s.slope.x);
+    s.paper[1] = on_paper(&b, db, s.slope.x);
+    return s;
+}

@@ -1,0 +1,183 @@
+#include "trim/crossing.h"
+
+#include "base/array.h"
+#include "curve/bernstein.h"
+
+#include <stdlib.h>
+
+/* The domain reaches this far beyond [0,1], unequally, so that curves along a side or through a
+ * corner lie inside it. */
+#define REACH_LO 0.7e-6
+#define REACH_HI 0.9e-6
+
+/* Strips are not cut in the middle: symmetric models have their special points there. */
+#define CUT 0.4921
+
+static kg_vec3 coefficient(const kg_strip *s, int k, int i) {
+    return kg_v3(s->c[k][i], s->c[k + 1][i], s->c[k + 2][i]);
+}
+
+/* The range of a · X over the strip. */
+static void range(const kg_strips *set, const kg_strip *s, kg_vec3 a, double out[2]) {
+    double p[2] = {INFINITY, -INFINITY}, d[2] = {INFINITY, -INFINITY};
+    for (int i = 0; i <= set->ruled.patch->geodesic.degree; i++) {
+        double x = kg_dot(a, s->p[i]);
+        p[0] = fmin(p[0], x), p[1] = fmax(p[1], x);
+    }
+    int n = set->ruled.patch->ruling_degree == 0 ? 0 : set->ruled.degree;
+    for (int i = 0; i <= n; i++) {
+        double x = kg_dot(a, s->d[i]);
+        d[0] = fmin(d[0], x), d[1] = fmax(d[1], x);
+    }
+    d[0] *= d[0] < 0 ? s->widen : 1;
+    d[1] *= d[1] > 0 ? s->widen : 1;
+    const double *u = set->ruled.patch->extent;
+    out[0] = p[0] + fmin(fmin(u[0] * d[0], u[0] * d[1]), fmin(u[1] * d[0], u[1] * d[1]));
+    out[1] = p[1] + fmax(fmax(u[0] * d[0], u[0] * d[1]), fmax(u[1] * d[0], u[1] * d[1]));
+}
+
+/* Unit vectors d_i = R_i/|R_i| hold every unit ruling in their cone; with m their mean direction,
+ * a convex mixture of them is at least min d_i · m long. */
+static void measure(const kg_strips *set, kg_strip *s) {
+    int n = set->ruled.degree;
+    for (int k = 0; k < 6; k++) {
+        s->largest[k] = 0;
+        for (int i = 0; i <= n; i++)
+            s->largest[k] = fmax(s->largest[k], fabs(s->c[k][i]));
+    }
+    if (s->depth > KG_STRIP_DEPTH)
+        return;
+    if (set->ruled.patch->ruling_degree == 0) {
+        s->d[0] = kg_unit(coefficient(s, 0, 0));
+        s->widen = 1;
+    } else {
+        kg_vec3 mean = kg_v3(0, 0, 0);
+        for (int i = 0; i <= n; i++) {
+            s->d[i] = kg_unit(coefficient(s, 0, i));
+            mean = kg_add(mean, s->d[i]);
+        }
+        mean = kg_unit(mean);
+        double least = 1;
+        for (int i = 0; i <= n; i++)
+            least = fmin(least, kg_dot(s->d[i], mean));
+        s->widen = least > 1e-3 ? 1 / least : HUGE_VAL;
+    }
+    int m = set->ruled.patch->geodesic.degree;
+    if (isinf(s->widen)) {
+        /* a fan of more than a half-turn: every direction */
+        double u = fmax(fabs(set->ruled.patch->extent[0]), fabs(set->ruled.patch->extent[1]));
+        s->box = kg_box3_empty();
+        for (int i = 0; i <= m; i++) {
+            kg_box3_add(&s->box, kg_sub(s->p[i], kg_v3(u, u, u)));
+            kg_box3_add(&s->box, kg_add(s->p[i], kg_v3(u, u, u)));
+        }
+        return;
+    }
+    double x[2], y[2], z[2];
+    range(set, s, kg_v3(1, 0, 0), x);
+    range(set, s, kg_v3(0, 1, 0), y);
+    range(set, s, kg_v3(0, 0, 1), z);
+    s->box.lo = kg_v3(x[0], y[0], z[0]);
+    s->box.hi = kg_v3(x[1], y[1], z[1]);
+    s->normal = kg_unit(kg_cross(s->d[0], kg_sub(s->p[m], s->p[0])));
+    range(set, s, s->normal, s->along_normal);
+}
+
+bool kg_strips_apart(const kg_strips *a, int i, const kg_strips *b, int j) {
+    const kg_strip *s = &a->items[i], *t = &b->items[j];
+    if (s->depth > KG_STRIP_DEPTH)
+        return false;
+    double gap = 1e-9 * a->ruled.size; /* mm: touching strips are together */
+    if (s->box.lo.x > t->box.hi.x + gap || t->box.lo.x > s->box.hi.x + gap ||
+        s->box.lo.y > t->box.hi.y + gap || t->box.lo.y > s->box.hi.y + gap ||
+        s->box.lo.z > t->box.hi.z + gap || t->box.lo.z > s->box.hi.z + gap)
+        return true;
+    if (isinf(s->widen) || isinf(t->widen))
+        return false;
+    double r[2];
+    range(b, t, s->normal, r);
+    if (r[0] > s->along_normal[1] + gap || r[1] < s->along_normal[0] - gap)
+        return true;
+    range(a, s, t->normal, r);
+    return r[0] > t->along_normal[1] + gap || r[1] < t->along_normal[0] - gap;
+}
+
+/* One root of a tree: Plücker coefficients with the origin moved, on the reach of the domain. */
+static void plant(const kg_ruled *ruled, kg_strip *s) {
+    const kg_patch *patch = ruled->patch;
+    kg_vec3 r[KG_PLUCKER_MAX], moment[KG_PLUCKER_MAX];
+    int m = patch->geodesic.degree, n = ruled->degree;
+    for (int i = 0; i <= m; i++)
+        s->p[i] = ruled->p[i];
+    kg_bernstein_cross(patch->rulings, patch->ruling_degree, s->p, m, moment);
+    kg_bernstein_elevate3(patch->rulings, patch->ruling_degree, n, r);
+    s->lo = -REACH_LO, s->hi = 1 + REACH_HI;
+    kg_bernstein_restrict3(r, n, s->lo, s->hi);
+    kg_bernstein_restrict3(moment, n, s->lo, s->hi);
+    kg_bernstein_restrict3(s->p, m, s->lo, s->hi);
+    for (int i = 0; i <= n; i++) {
+        s->c[0][i] = r[i].x, s->c[1][i] = r[i].y, s->c[2][i] = r[i].z;
+        s->c[3][i] = moment[i].x, s->c[4][i] = moment[i].y, s->c[5][i] = moment[i].z;
+    }
+}
+
+bool kg_strips_init(kg_strips *strips, const kg_patch *patch, kg_vec3 origin, double size) {
+    kg_strips set = {.ruled = {.patch = patch, .origin = origin, .size = size}};
+    set.ruled.degree = patch->ruling_degree + patch->geodesic.degree;
+    for (int i = 0; i <= patch->geodesic.degree; i++)
+        set.ruled.p[i] = kg_sub(patch->geodesic.points[i], origin);
+    if (!kg_reserve(&set, 24))
+        return false;
+    kg_strip *s = &set.items[0];
+    set.count = 1;
+    s->child[0] = s->child[1] = -1;
+    s->depth = 0;
+    plant(&set.ruled, s);
+    measure(&set, s);
+    *strips = set;
+    return true;
+}
+
+void kg_strips_clear(kg_strips *strips) {
+    free(strips->items);
+    strips->items = NULL;
+}
+
+bool kg_strips_split(kg_strips *strips, int index) {
+    if (strips->items[index].child[0] >= 0)
+        return true;
+    if (!kg_reserve(strips, strips->count + 2))
+        return false;
+    kg_strip *s = &strips->items[index];
+    kg_strip *lo = &strips->items[strips->count], *hi = lo + 1;
+    s->child[0] = (int)strips->count;
+    s->child[1] = (int)strips->count + 1;
+    strips->count += 2;
+    lo->lo = s->lo, hi->hi = s->hi;
+    lo->hi = hi->lo = s->lo + CUT * (s->hi - s->lo);
+    lo->depth = hi->depth = s->depth + 1;
+    lo->child[0] = lo->child[1] = hi->child[0] = hi->child[1] = -1;
+    int n = strips->ruled.degree, m = strips->ruled.patch->geodesic.degree;
+    for (int k = 0; k < 6; k++) {
+        double *h = hi->c[k], *l = lo->c[k];
+        for (int i = 0; i <= n; i++)
+            h[i] = s->c[k][i];
+        l[0] = h[0];
+        for (int j = 1; j <= n; j++) {
+            for (int i = 0; i <= n - j; i++)
+                h[i] += CUT * (h[i + 1] - h[i]);
+            l[j] = h[0];
+        }
+    }
+    for (int i = 0; i <= m; i++)
+        hi->p[i] = s->p[i];
+    lo->p[0] = hi->p[0];
+    for (int j = 1; j <= m; j++) {
+        for (int i = 0; i <= m - j; i++)
+            hi->p[i] = kg_lerp(hi->p[i], hi->p[i + 1], CUT);
+        lo->p[j] = hi->p[0];
+    }
+    measure(strips, lo);
+    measure(strips, hi);
+    return true;
+}

@@ -1,0 +1,465 @@
+/*
+ * From arcs to branches: exact points along each chain of arcs, cut where it leaves the rectangles
+ * and dense enough for the chord tolerance in space and on both papers.
+ */
+#include "trim/crossing.h"
+
+#include "base/array.h"
+
+#include <stdlib.h>
+
+/* The chord error is estimated from the tangents at both ends; the aim leaves room for that. */
+#define AIM 0.7
+
+/* Turning per span, radians: linear interpolation inside a span is then near enough to the curve
+ * for Newton's method to find it, and nothing else. */
+#define MAX_TURN 0.35
+
+/* Spans shorter than this (in v and t) are not halved any more: next to singular points. */
+#define MIN_SPAN 1e-9
+
+/* Branches shorter than this fraction of the size are touches. */
+#define MIN_LENGTH 1e-8
+
+enum { COORDINATES = 4 };
+
+typedef struct tracer {
+    const kg_pair *pair;
+    const kg_arc *arc;
+    int direction;
+    kg_path path;
+} tracer;
+
+static const unsigned side_lo[COORDINATES] = {KG_SIDE_A_U_LO, KG_SIDE_A_V_LO, KG_SIDE_B_U_LO,
+                                              KG_SIDE_B_V_LO};
+
+static double coordinate(const kg_cross_point *p, int k) {
+    return k == 0 ? p->u : k == 1 ? p->v : k == 2 ? p->s : p->t;
+}
+
+static void set_coordinate(kg_cross_point *p, int k, double x) {
+    *(k == 0 ? &p->u : k == 1 ? &p->v : k == 2 ? &p->s : &p->t) = x;
+}
+
+/* The value of side bit `lo << high` of coordinate k. */
+static double side_value(const kg_pair *pair, int k, int high) {
+    return k == 0   ? pair->a.patch->extent[high]
+           : k == 2 ? pair->b.patch->extent[high]
+                    : (double)high;
+}
+
+/* ---- points of an arc ------------------------------------------------------------------ */
+
+/* The arc's point at parameter w (v or t by its kind), searched from `guess` by Newton's method
+ * inside the box: the derivative has one sign there, so the sign of F tells the side. */
+static kg_sample arc_point(const tracer *tr, double w, double guess) {
+    const kg_arc *arc = tr->arc;
+    bool over_v = arc->kind == KG_ARC_OVER_V;
+    const kg_ruled *fixed = over_v ? &tr->pair->a : &tr->pair->b;
+    const kg_ruled *moving = over_v ? &tr->pair->b : &tr->pair->a;
+    double lo = over_v ? arc->t[0] : arc->v[0], hi = over_v ? arc->t[1] : arc->v[1];
+    kg_line at = kg_ruled_line(fixed, w);
+    double x = fmin(fmax(guess, lo), hi);
+    for (int i = 0; i < 60; i++) {
+        kg_line line = kg_ruled_line(moving, x);
+        double fv, ft;
+        double f =
+            over_v ? kg_pair_value(&at, &line, &fv, &ft) : kg_pair_value(&line, &at, &fv, &ft);
+        if (f * arc->slope > 0)
+            hi = x;
+        else
+            lo = x;
+        double next = x - f / (over_v ? ft : fv);
+        if (!(next >= lo && next <= hi))
+            next = 0.5 * (lo + hi);
+        double step = fabs(next - x);
+        x = next;
+        /* quadratic convergence: the error after this step is about its square */
+        if (step < 1e-8)
+            break;
+    }
+    return kg_pair_sample(tr->pair, over_v ? w : x, over_v ? x : w, arc->kind, tr->direction);
+}
+
+static double parameter(const tracer *tr, const kg_sample *s) {
+    return tr->arc->kind == KG_ARC_OVER_V ? s->at.v : s->at.t;
+}
+static double other(const tracer *tr, const kg_sample *s) {
+    return tr->arc->kind == KG_ARC_OVER_V ? s->at.t : s->at.v;
+}
+/* d other / d parameter */
+static double steepness(const tracer *tr, const kg_sample *s) {
+    return tr->arc->kind == KG_ARC_OVER_V ? s->slope.t / s->slope.v : s->slope.v / s->slope.t;
+}
+
+/* Between two points of the arc, the guess by the cubic through their tangents. */
+static kg_sample between(const tracer *tr, const kg_sample *p, const kg_sample *q, double w) {
+    double w0 = parameter(tr, p), w1 = parameter(tr, q), h = w1 - w0, x = (w - w0) / h;
+    double y0 = other(tr, p), y1 = other(tr, q), d0 = steepness(tr, p), d1 = steepness(tr, q);
+    double guess = y0 + (y1 - y0) * x;
+    if (isfinite(d0) && isfinite(d1)) {
+        double y = 1 - x;
+        guess = y0 * y * y * (1 + 2 * x) + y1 * x * x * (1 + 2 * y) + h * x * y * (d0 * y - d1 * x);
+    }
+    return arc_point(tr, w, guess);
+}
+
+static kg_sample middle(const tracer *tr, const kg_sample *p, const kg_sample *q) {
+    return between(tr, p, q, 0.5 * (parameter(tr, p) + parameter(tr, q)));
+}
+
+static bool tiny(const kg_sample *p, const kg_sample *q) {
+    return fabs(p->at.v - q->at.v) < MIN_SPAN && fabs(p->at.t - q->at.t) < MIN_SPAN;
+}
+
+/* ---- shape of a span ------------------------------------------------------------------- */
+
+/* Turning over the span and the deviation from its chord, from the tangents at its ends. */
+static double chord_error(const kg_sample *p, const kg_sample *q, double *out_turn) {
+    kg_vec3 chord = kg_sub(q->at.x, p->at.x);
+    double length = kg_len(chord), bend = 0;
+    bool at_p = kg_dot(p->slope.x, p->slope.x) > 0, at_q = kg_dot(q->slope.x, q->slope.x) > 0;
+    chord = kg_unit(chord);
+    if (at_p)
+        bend = fmax(bend, kg_dist(p->slope.x, chord));
+    if (at_q)
+        bend = fmax(bend, kg_dist(q->slope.x, chord));
+    if (at_p && at_q)
+        for (int k = 0; k < 2; k++)
+            bend = fmax(bend, 0.5 * kg_dist2(p->paper[k], q->paper[k]));
+    *out_turn = 2 * bend;
+    return 0.25 * length * bend;
+}
+
+/* The extremes of coordinate k between two points, by the cubic through values and slopes; the
+ * arc length is taken as the chord's. */
+static void reach(const kg_sample *p, const kg_sample *q, int k, double out[2]) {
+    double length = kg_dist(p->at.x, q->at.x);
+    double y0 = coordinate(&p->at, k), y1 = coordinate(&q->at, k);
+    double m0 = length * coordinate(&p->slope, k), m1 = length * coordinate(&q->slope, k);
+    out[0] = fmin(y0, y1), out[1] = fmax(y0, y1);
+    double c0 = y0 + m0 / 3, c1 = y1 - m1 / 3; /* its control points */
+    if (isfinite(c0) && isfinite(c1)) {
+        out[0] = fmin(out[0], fmin(c0, c1));
+        out[1] = fmax(out[1], fmax(c0, c1));
+    }
+}
+
+/* Coordinate steps that no rounding or interpolation makes, in units of coordinate k. */
+static double unit_of(const kg_pair *pair, int k) {
+    return (k & 1) ? pair->tolerance / pair->a.size : pair->tolerance;
+}
+
+/* Could the span between two inside points leave the rectangles, or one between two points beyond
+ * one side come back? */
+static bool may_cross(const tracer *tr, const kg_sample *p, const kg_sample *q) {
+    for (int k = 0; k < COORDINATES; k++) {
+        double r[2], room = 0.1 * unit_of(tr->pair, k);
+        reach(p, q, k, r);
+        if (r[0] < side_value(tr->pair, k, 0) - room || r[1] > side_value(tr->pair, k, 1) + room)
+            return true;
+    }
+    return false;
+}
+
+static bool stays_out(const tracer *tr, const kg_sample *p, const kg_sample *q) {
+    unsigned common = p->out & q->out;
+    for (int k = 0; k < COORDINATES; k++) {
+        if (!(common & (side_lo[k] | side_lo[k] << 1)))
+            continue;
+        double r[2], span = fabs(coordinate(&p->at, k) - coordinate(&q->at, k));
+        reach(p, q, k, r);
+        if ((common & side_lo[k]) && r[1] + 0.1 * span < side_value(tr->pair, k, 0))
+            return true;
+        if ((common & side_lo[k] << 1) && r[0] - 0.1 * span > side_value(tr->pair, k, 1))
+            return true;
+    }
+    return false;
+}
+
+/* ---- spans ----------------------------------------------------------------------------- */
+
+static bool emit(tracer *tr, const kg_sample *s, bool inside) {
+    return kg_push(&tr->path.samples, *s) && kg_push(&tr->path.inside, inside);
+}
+
+/* Where coordinate k takes the value `side` between p and q, on whose two sides they lie; that
+ * coordinate is then exact. */
+static kg_sample side_point(const tracer *tr, const kg_sample *p, const kg_sample *q, int k,
+                            double side) {
+    kg_sample ends[2] = {*p, *q}, s = *p;
+    double f0 = coordinate(&p->at, k) - side, f1 = coordinate(&q->at, k) - side;
+    double w0 = parameter(tr, p), w1 = parameter(tr, q), w = w0 + (w1 - w0) * (f0 / (f0 - f1));
+    for (int i = 0; i < 60; i++) {
+        if (!(w > fmin(w0, w1) && w < fmax(w0, w1)))
+            w = 0.5 * (w0 + w1);
+        s = between(tr, &ends[0], &ends[1], w);
+        double f = coordinate(&s.at, k) - side;
+        if (f == 0)
+            break;
+        if ((f > 0) == (f0 > 0))
+            w0 = w, ends[0] = s;
+        else
+            w1 = w, ends[1] = s;
+        double slope =
+            coordinate(&s.slope, k) / (tr->arc->kind == KG_ARC_OVER_V ? s.slope.v : s.slope.t);
+        double next = w - f / slope;
+        if (fabs(next - w) < 1e-15 || fabs(w1 - w0) < 1e-15)
+            break;
+        w = next;
+    }
+    set_coordinate(&s.at, k, side);
+    s.out &= ~(side_lo[k] | side_lo[k] << 1);
+    return s;
+}
+
+static bool inside_span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth);
+static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth);
+
+static bool halves(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
+    kg_sample m = middle(tr, p, q);
+    return span(tr, p, &m, depth + 1) && span(tr, &m, q, depth + 1);
+}
+
+/* Both ends inside: halved until chords are good and no excursion can hide. */
+static bool inside_span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
+    double turn, error = chord_error(p, q, &turn);
+    if (tiny(p, q) || depth > 40)
+        return emit(tr, q, true);
+    if (error > AIM * tr->pair->tolerance || turn > MAX_TURN || may_cross(tr, p, q))
+        return halves(tr, p, q, depth);
+    return emit(tr, q, true);
+}
+
+/* The sides between p (beyond them) and q (not): the last one that the curve passes on the way to
+ * q. */
+static kg_sample entry(const tracer *tr, const kg_sample *p, const kg_sample *q) {
+    kg_sample best = *p;
+    unsigned passed = p->out & ~q->out;
+    for (int k = 0; k < COORDINATES; k++)
+        for (int high = 0; high < 2; high++)
+            if (passed & side_lo[k] << high) {
+                double side = side_value(tr->pair, k, high);
+                kg_sample s = coordinate(&q->at, k) == side ? *q : side_point(tr, p, q, k, side);
+                double way = parameter(tr, q) - parameter(tr, p);
+                if ((parameter(tr, &s) - parameter(tr, &best)) * way > 0)
+                    best = s;
+            }
+    return best;
+}
+
+/* A span that is not wholly inside. */
+static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
+    if (!p->out && !q->out)
+        return inside_span(tr, p, q, depth);
+    if (tiny(p, q) || depth > 40 || stays_out(tr, p, q))
+        return emit(tr, q, false);
+    double turn;
+    chord_error(p, q, &turn);
+    double flip = kg_dot(p->across, q->across);
+    bool steady = turn < MAX_TURN && flip > 0.5 * kg_dot(p->across, p->across) &&
+                  flip > 0.5 * kg_dot(q->across, q->across);
+    /* beyond one side both, yet not certainly out; or too bent to know how often it crosses */
+    if ((p->out & q->out) || !steady)
+        return halves(tr, p, q, depth);
+    kg_sample in = p->out ? entry(tr, p, q) : *p, out = q->out ? entry(tr, q, p) : *q;
+    double way = parameter(tr, q) - parameter(tr, p);
+    if (p->out && q->out && (parameter(tr, &out) - parameter(tr, &in)) * way <= 0)
+        return emit(tr, q, false);
+    if (in.out || out.out) /* beyond yet another side */
+        return halves(tr, p, q, depth);
+    if (p->out && !emit(tr, &in, false))
+        return false;
+    if (parameter(tr, &in) != parameter(tr, &out) && !inside_span(tr, &in, &out, depth + 1))
+        return false;
+    return !q->out || emit(tr, q, false);
+}
+
+/* ---- arcs ------------------------------------------------------------------------------ */
+
+/* Points at equal steps first, as many as the chord error of the halves asks for. */
+static bool trace_halved(tracer *tr, const kg_sample *p, const kg_sample *q) {
+    enum { MAX_STEPS = 64 };
+    double turn, error = chord_error(p, q, &turn);
+    int steps = 1;
+    if (!p->out && !q->out)
+        steps =
+            (int)fmin(fmax(ceil(sqrt(error / (AIM * tr->pair->tolerance))), ceil(turn / MAX_TURN)),
+                      MAX_STEPS);
+    kg_sample from = *p;
+    double w0 = parameter(tr, p), w1 = parameter(tr, q);
+    for (int i = 1; i <= steps; i++) {
+        kg_sample to = i == steps ? *q : between(tr, &from, q, w0 + (w1 - w0) * i / steps);
+        if (!span(tr, &from, &to, 0))
+            return false;
+        from = to;
+    }
+    return true;
+}
+
+static kg_sample end_point(const tracer *tr, const kg_arc_end *e) {
+    if (tr->arc->kind == KG_ARC_SHORT)
+        return kg_pair_sample(tr->pair, e->v, e->t, KG_ARC_OVER_V, 1);
+    return tr->arc->kind == KG_ARC_OVER_V ? arc_point(tr, e->v, e->t) : arc_point(tr, e->t, e->v);
+}
+
+static void turn_round(kg_sample *s) {
+    s->slope =
+        (kg_cross_point){-s->slope.u, -s->slope.v, -s->slope.s, -s->slope.t, kg_neg(s->slope.x)};
+    for (int k = 0; k < 2; k++)
+        s->paper[k] = kg_scale2(s->paper[k], -1);
+}
+
+/* Continues the path along the arc from its end `from` on. */
+static bool trace_arc(tracer *tr, const kg_topology *t, const kg_arc *arc, int from) {
+    const kg_arc_end *e0 = &t->ends.items[arc->ends[from]];
+    const kg_arc_end *e1 = &t->ends.items[arc->ends[1 - from]];
+    tr->arc = arc;
+    double way = arc->kind == KG_ARC_OVER_T ? e1->t - e0->t : e1->v - e0->v;
+    tr->direction = way < 0 ? -1 : 1;
+    size_t count = tr->path.samples.count;
+    kg_sample p, q = end_point(tr, e1);
+    if (count > 0) {
+        p = tr->path.samples.items[count - 1];
+    } else {
+        p = end_point(tr, e0);
+        if (!emit(tr, &p, false))
+            return false;
+    }
+    if (arc->kind == KG_ARC_SHORT) {
+        /* its tangent has no direction yet; where branches meet, none at all */
+        if (e1->line < 0)
+            q.slope = (kg_cross_point){0};
+        if (kg_dot(q.slope.x, kg_sub(q.at.x, p.at.x)) < 0)
+            turn_round(&q);
+        return emit(tr, &q, !p.out && !q.out);
+    }
+    if (parameter(tr, &p) == parameter(tr, &q))
+        return true;
+    kg_sample m = middle(tr, &p, &q);
+    return trace_halved(tr, &p, &m) && trace_halved(tr, &m, &q);
+}
+
+/* ---- branches -------------------------------------------------------------------------- */
+
+static unsigned sides_at(const kg_pair *pair, const kg_cross_point *p) {
+    unsigned sides = 0;
+    for (int k = 0; k < COORDINATES; k++)
+        for (int high = 0; high < 2; high++)
+            if (coordinate(p, k) == side_value(pair, k, high))
+                sides |= side_lo[k] << high;
+    return sides;
+}
+
+bool kg_crossings_add(kg_crossings *crossings, const kg_pair *pair, const kg_sample *samples,
+                      size_t count, bool closed) {
+    double length = 0;
+    for (size_t i = 1; i < count; i++)
+        length += kg_dist(samples[i].at.x, samples[i - 1].at.x);
+    if (length <= MIN_LENGTH * pair->a.size)
+        return true;
+    kg_crossing *branches = realloc(crossings->branches, (crossings->count + 1) * sizeof *branches);
+    if (!branches)
+        return false;
+    crossings->branches = branches;
+    kg_crossing *branch = &branches[crossings->count];
+    *branch = (kg_crossing){.points = malloc(count * sizeof *branch->points), .closed = closed};
+    if (!branch->points)
+        return false;
+    crossings->count++;
+    for (size_t i = 0; i < count; i++) {
+        /* points that fall together would be spans without direction */
+        if (branch->count > 0 &&
+            kg_dist(branch->points[branch->count - 1].x, samples[i].at.x) <= 1e-10 * pair->a.size) {
+            if (i + 1 == count)
+                branch->points[branch->count - 1] = samples[i].at;
+            continue;
+        }
+        branch->points[branch->count++] = samples[i].at;
+    }
+    if (closed) {
+        branch->points[branch->count - 1] = branch->points[0];
+    } else {
+        branch->ends[0] = sides_at(pair, &branch->points[0]);
+        branch->ends[1] = sides_at(pair, &branch->points[branch->count - 1]);
+    }
+    return true;
+}
+
+/* Cuts a path into its stretches of inside spans. A closed path starts where it is outside. */
+static bool cut(const kg_pair *pair, const kg_path *path, bool closed, kg_crossings *out) {
+    size_t count = path->samples.count, start = 0;
+    const bool *inside = path->inside.items;
+    if (closed) {
+        for (start = 1; start < count && inside[start]; start++)
+            ;
+        if (start == count)
+            return kg_crossings_add(out, pair, path->samples.items, count, true);
+    }
+    /* the spans in order, from the one after `start`; a closed path's last point is its first */
+    size_t spans = count - 1;
+    kg_sample *run = malloc(count * sizeof *run);
+    if (!run)
+        return false;
+    size_t length = 0;
+    bool ok = true;
+    for (size_t i = 0; i <= spans && ok; i++) {
+        size_t end = closed ? (start + i) % spans + 1 : i + 1;
+        bool in = i < spans && inside[end];
+        if (in) {
+            if (length == 0)
+                run[length++] = path->samples.items[end - 1];
+            run[length++] = path->samples.items[end];
+        } else if (length > 0) {
+            ok = kg_crossings_add(out, pair, run, length, false);
+            length = 0;
+        }
+    }
+    free(run);
+    return ok;
+}
+
+/* Follows arcs from the end `first` of an arc until there is no next one. */
+static bool trace_chain(tracer *tr, const kg_topology *t, bool *done, int first,
+                        kg_crossings *out) {
+    tr->path.samples.count = tr->path.inside.count = 0;
+    int end = first;
+    bool closed = false;
+    while (end >= 0) {
+        int index = t->ends.items[end].arc;
+        if (index < 0)
+            break;
+        if (done[index]) {
+            closed = end == first;
+            break;
+        }
+        done[index] = true;
+        const kg_arc *arc = &t->arcs.items[index];
+        int from = arc->ends[0] == end ? 0 : 1;
+        if (!trace_arc(tr, t, arc, from))
+            return false;
+        end = t->ends.items[arc->ends[1 - from]].match;
+    }
+    return cut(tr->pair, &tr->path, closed, out);
+}
+
+bool kg_trace(const kg_pair *pair, const kg_topology *topology, kg_crossings *out) {
+    size_t count = topology->arcs.count;
+    if (count == 0)
+        return true;
+    bool *done = calloc(count, sizeof *done);
+    tracer tr = {.pair = pair};
+    bool ok = done != NULL;
+    /* open chains first: they start at ends without a neighbour */
+    for (int pass = 0; pass < 2 && ok; pass++)
+        for (size_t i = 0; i < count && ok; i++)
+            for (int k = 0; k < 2 && ok && !done[i]; k++) {
+                int end = topology->arcs.items[i].ends[k];
+                if (pass == 1 || topology->ends.items[end].match < 0)
+                    ok = trace_chain(&tr, topology, done, end, out);
+            }
+    free(done);
+    free(tr.path.samples.items);
+    free(tr.path.inside.items);
+    return ok;
+}
