@@ -2,11 +2,18 @@
 
 #include "base/array.h"
 #include "net/fit.h"
+#include "net/glyph.h"
 #include "net/guide.h"
+#include "net/label.h"
 #include "net/layout.h"
+#include "net/mirror.h"
+#include "net/perforation.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+/* Of the tolerance, what flattening may use where a writer knows no curves. */
+#define FLATTEN_SHARE 0.4
 
 const char *kg_layer_id(kg_net_layer layer) {
     static const char *const ids[] = {"cut", "mountain", "valley", "mark", "label", "guide"};
@@ -67,6 +74,7 @@ typedef struct draft {
     const kg_net_layout *layout;
     const kg_net_options *options;
     kg_drawing *drawing;
+    double fit_tolerance;
     struct {
         kg_vec2 *items;
         size_t count, capacity;
@@ -93,7 +101,7 @@ static kg_status draw_line(draft *d, size_t part, const kg_net_line *line, kg_er
     stroke->tab = line->tab;
     stroke->dashed = d->options->dashes;
     kg_status status = kg_fit(d->placed.items, line->corners, line->count, line->closed,
-                              d->options->tolerance, &stroke->path, error);
+                              d->fit_tolerance, &stroke->path, error);
     if (status == KG_OK && stroke->path.count == 0)
         page->strokes.count--; /* a line without length */
     return status;
@@ -115,11 +123,26 @@ static kg_status draw_all(draft *d, kg_error *error) {
         status = draw_part(d, i, error);
     if (status == KG_OK)
         status = kg_guide_draw(d->drawing, d->options, error);
+    if (status == KG_OK)
+        status = kg_label_draw(d->net, d->layout, d->options, d->drawing, error);
+    return status;
+}
+
+/* What is done to whole pages, in the order in which it may be done: mirroring exchanges folds
+ * before they are perforated, and leaves text upright before it becomes outlines. */
+static kg_status finish(kg_drawing *drawing, const kg_net_options *options, kg_error *error) {
+    kg_status status = KG_OK;
+    if (options->mirrored)
+        kg_drawing_mirror(drawing);
+    if (options->perforate[0] > 0)
+        status = kg_perforate(drawing, options->perforate[0], options->perforate[1], error);
+    if (status == KG_OK && options->text_outlines)
+        status = kg_glyph_outline(drawing, error);
     return status;
 }
 
 kg_status kg_drawing_create(const kg_net *net, const kg_net_layout *layout,
-                            const kg_net_options *options, kg_drawing **out_drawing,
+                            const kg_net_options *options, bool curves, kg_drawing **out_drawing,
                             kg_error *error) {
     kg_drawing *drawing = calloc(1, sizeof *drawing);
     if (drawing) {
@@ -133,8 +156,16 @@ kg_status kg_drawing_create(const kg_net *net, const kg_net_layout *layout,
     drawing->size = layout->page_size;
     drawing->title = net->title ? net->title : "";
     memcpy(drawing->styles, options->styles, sizeof drawing->styles);
-    draft d = {.net = net, .layout = layout, .options = options, .drawing = drawing};
+    double share = curves ? 1 : 1 - FLATTEN_SHARE;
+    drawing->flatten_tolerance = FLATTEN_SHARE * options->tolerance;
+    draft d = {.net = net,
+               .layout = layout,
+               .options = options,
+               .drawing = drawing,
+               .fit_tolerance = share * options->tolerance};
     kg_status status = draw_all(&d, error);
+    if (status == KG_OK)
+        status = finish(drawing, options, error);
     free(d.placed.items);
     if (status)
         kg_drawing_destroy(drawing);

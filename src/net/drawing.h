@@ -45,7 +45,8 @@ typedef struct kg_drawing {
     kg_vec2 size; /* of every page */
     size_t page_count;
     kg_page *pages;
-    const char *title; /* the net's */
+    const char *title;        /* the net's */
+    double flatten_tolerance; /* mm, what a writer without curves may stray from them */
     kg_net_style styles[KG_LAYER_COUNT];
 } kg_drawing;
 
@@ -62,10 +63,11 @@ kg_stroke *kg_page_stroke(kg_page *page, kg_net_layer layer, const kg_net_part *
 /* Adds a copy of `text`. False when memory runs out. */
 bool kg_page_caption(kg_page *page, const kg_caption *caption) KG_CHECKED;
 
-/* Draws all pages of the net. The drawing borrows the net's title. Errors: KG_ERR_MEMORY,
+/* Draws all pages of the net. The drawing borrows the net's title. Without `curves` the writer is
+ * going to flatten them, and fitting leaves it two fifths of the tolerance. Errors: KG_ERR_MEMORY,
  * KG_ERR_INPUT (options). */
 kg_status kg_drawing_create(const kg_net *net, const kg_net_layout *layout,
-                            const kg_net_options *options, kg_drawing **out_drawing,
+                            const kg_net_options *options, bool curves, kg_drawing **out_drawing,
                             kg_error *error) KG_CHECKED;
 void kg_drawing_destroy(kg_drawing *drawing);
 

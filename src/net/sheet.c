@@ -30,6 +30,16 @@ static void forbid(kg_sheet *sheet, double x0, double y0, double x1, double y1) 
     sheet->forbidden[sheet->forbidden_count++] = (kg_box2){kg_v2(x0, y0), kg_v2(x1, y1)};
 }
 
+/* Parts are placed before pages are mirrored, what they keep clear of is not. */
+static void forbidden_mirror(kg_sheet *sheet) {
+    for (int i = 0; i < sheet->forbidden_count; i++) {
+        kg_box2 *f = &sheet->forbidden[i];
+        double lo = sheet->usable.x - f->hi.x;
+        f->hi.x = sheet->usable.x - f->lo.x;
+        f->lo.x = lo;
+    }
+}
+
 kg_status kg_sheet_from_options(const kg_net_options *options, kg_sheet *out_sheet,
                                 kg_error *error) {
     kg_status status = options_check(options, error);
@@ -62,6 +72,8 @@ kg_status kg_sheet_from_options(const kg_net_options *options, kg_sheet *out_she
         forbid(&sheet, 0, h - leg, thick, h);
         forbid(&sheet, 0, h - thick, leg, h);
     }
+    if (options->mirrored)
+        forbidden_mirror(&sheet);
     *out_sheet = sheet;
     return KG_OK;
 }

@@ -2,23 +2,21 @@
 
 #include <string.h>
 
-/* One character of UTF-8 at *text, moved behind it; bytes that are none count as one each. */
-static uint32_t character(const unsigned char **text) {
-    const unsigned char *s = *text;
+uint32_t kg_text_character(const char **text) {
+    const unsigned char *s = (const unsigned char *)*text;
     int more = *s >= 0xf0 ? 3 : *s >= 0xe0 ? 2 : *s >= 0xc0 ? 1 : 0;
     uint32_t code = more == 3 ? *s & 7u : more == 2 ? *s & 15u : more == 1 ? *s & 31u : *s;
     s++;
     for (; more > 0 && (*s & 0xc0) == 0x80; more--)
         code = code << 6 | (*s++ & 63u);
-    *text = s;
+    *text = (const char *)s;
     return code;
 }
 
 double kg_text_width(const char *text) {
-    const unsigned char *s = (const unsigned char *)text;
     double width = 0;
-    while (*s) {
-        uint32_t c = character(&s);
+    while (*text) {
+        uint32_t c = kg_text_character(&text);
         bool narrow = c < 128 && c != 0 && strchr(" !'()*,-./:;I[]`fijlrt|", (int)c);
         bool wide = c == 'M' || c == 'W' || c == 'm' || c == 'w' || c == '%' || c == '@';
         bool full = c >= 0x1100 && !(c >= 0x1e00 && c < 0x2e80) && !(c >= 0xff61 && c < 0xffe0);

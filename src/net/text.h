@@ -15,6 +15,9 @@
 /* Height of capitals over font size, as most sans fonts have it. */
 #define KG_TEXT_CAPITAL 0.73
 
+/* The character of UTF-8 at *text, which moves behind it; bytes that are none count as one each. */
+uint32_t kg_text_character(const char **text);
+
 /* Width of `text` in font sizes, on the generous side: a full-width character is 1. */
 double kg_text_width(const char *text);
 

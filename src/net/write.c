@@ -50,6 +50,12 @@ static kg_status outputs_write(outputs *all, kg_error *error) {
     return status;
 }
 
+/* The ending of a path's last name with its dot, or the empty end. */
+static const char *ending_of(const char *path) {
+    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
+    return dot && (!slash || dot > slash) ? dot : path + strlen(path);
+}
+
 /* "dir/NAME.svg" -> "dir/NAME-2.svg", with `word` before the number when there is one. */
 static char *numbered(const char *path, const char *ending, const char *word, size_t number) {
     size_t size = strlen(path) + strlen(word) + 32;
@@ -63,15 +69,25 @@ static char *numbered(const char *path, const char *ending, const char *word, si
     return out;
 }
 
-typedef kg_status (*page_fn)(const kg_drawing *, size_t, kg_layers, kg_bytes *, kg_error *);
+typedef struct file_format {
+    const char *ending;
+    kg_status (*write)(const kg_drawing *, size_t, kg_layers, kg_bytes *, kg_error *);
+    bool all_pages; /* in one file */
+    bool curves;
+} file_format;
+
+static const file_format formats[] = {{".svg", kg_svg_page, false, true},
+                                      {".pdf", kg_pdf_pages, true, true},
+                                      {".dxf", kg_dxf_page, false, false}};
 
 static kg_status draw_files(const kg_drawing *drawing, const kg_net_options *options,
-                            const char *path, const char *ending, page_fn write, outputs *all,
+                            const char *path, const file_format *format, outputs *all,
                             kg_error *error) {
     const kg_layers cut = 1u << KG_LAYER_CUT;
     static const char *const words[] = {"-print", "-cut"};
     size_t sets = options->separate ? 2 : 1;
-    size_t pages = write ? drawing->page_count : 1;
+    size_t pages = format->all_pages ? 1 : drawing->page_count;
+    const char *ending = ending_of(path);
     all->items = calloc(sets * pages, sizeof *all->items);
     if (!all->items)
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", path);
@@ -87,7 +103,7 @@ static kg_status draw_files(const kg_drawing *drawing, const kg_net_options *opt
             o->path = numbered(path, ending, sets == 1 ? "" : words[set], pages > 1 ? page + 1 : 0);
             if (!o->path)
                 return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", path);
-            kg_status status = write(drawing, page, layers, &o->bytes, error);
+            kg_status status = format->write(drawing, page, layers, &o->bytes, error);
             if (status)
                 return status;
         }
@@ -95,36 +111,29 @@ static kg_status draw_files(const kg_drawing *drawing, const kg_net_options *opt
     return outputs_write(all, error);
 }
 
-static kg_status find_writer(const char *path, const char **out_ending, page_fn *out_write,
-                             kg_error *error) {
-    if (strcmp(path, "-") == 0) {
-        *out_ending = path + 1;
-        *out_write = kg_svg_page;
-        return KG_OK;
+/* Standard output takes SVG. */
+static kg_status format_of(const char *path, const file_format **out_format, kg_error *error) {
+    const char *ending = strcmp(path, "-") == 0 ? ".svg" : ending_of(path);
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+        if (strcasecmp(ending, formats[i].ending) == 0) {
+            *out_format = &formats[i];
+            return KG_OK;
+        }
     }
-    const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
-    if (!dot || (slash && dot < slash))
-        dot = path + strlen(path);
-    *out_ending = dot;
-    if (strcasecmp(dot, ".svg") == 0)
-        *out_write = kg_svg_page;
-    else
-        return kg_fail(error, KG_ERR_INPUT, "%s: a net is written as .svg, .pdf or .dxf", path);
-    return KG_OK;
+    return kg_fail(error, KG_ERR_INPUT, "%s: a net is written as .svg, .pdf or .dxf", path);
 }
 
 kg_status kg_net_draw(const kg_net *net, const kg_net_layout *layout, const kg_net_options *options,
                       const char *path, kg_error *error) {
-    const char *ending;
-    page_fn write;
+    const file_format *format = NULL;
     kg_drawing *drawing;
-    kg_status status = find_writer(path, &ending, &write, error);
+    kg_status status = format_of(path, &format, error);
     if (status == KG_OK)
-        status = kg_drawing_create(net, layout, options, &drawing, error);
+        status = kg_drawing_create(net, layout, options, format->curves, &drawing, error);
     if (status)
         return status;
     outputs all = {0};
-    status = draw_files(drawing, options, path, ending, write, &all, error);
+    status = draw_files(drawing, options, path, format, &all, error);
     outputs_clear(&all);
     kg_drawing_destroy(drawing);
     return status;

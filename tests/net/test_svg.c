@@ -141,7 +141,7 @@ static void page_holds_layers_closed_cuts_and_data(void **state) {
     assert_string_at(&p, "/s:svg/s:title", "sample & <test>");
     assert_string_at(&p, "//s:g[@id='cut']/@i:label", "Cut");
     assert_string_at(&p, "//s:g[@id='mountain']/@i:groupmode", "layer");
-    assert_near(number(&p, "count(//s:g[@i:label])"), 5, 0);
+    assert_near(number(&p, "count(//s:g[@i:label])"), 6, 0);
     assert_near(number(&p, "count(//s:g[@id='cut']/s:path)"), 3, 0);
     assert_near(number(&p, "count(//s:g[@id='cut']/s:path[@data-patch='11'][@data-part='1'])"), 2,
                 0);

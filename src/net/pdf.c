@@ -1,0 +1,94 @@
+#include "net/writers.h"
+
+#include "net/glyph.h"
+
+#include <cairo-pdf.h>
+
+static const double POINT = 72 / 25.4; /* points in a millimetre */
+
+static cairo_status_t collect(void *bytes, const unsigned char *data, unsigned int size) {
+    kg_bytes_add(bytes, data, size);
+    return ((kg_bytes *)bytes)->failed ? CAIRO_STATUS_NO_MEMORY : CAIRO_STATUS_SUCCESS;
+}
+
+static void trace(cairo_t *cr, const kg_path *path) {
+    for (size_t i = 0; i < path->count; i++) {
+        const kg_vec2 *p = path->items[i].p;
+        switch (path->items[i].verb) {
+        case KG_PATH_MOVE:
+            cairo_move_to(cr, p[0].x, p[0].y);
+            break;
+        case KG_PATH_LINE:
+            cairo_line_to(cr, p[0].x, p[0].y);
+            break;
+        case KG_PATH_CURVE:
+            cairo_curve_to(cr, p[0].x, p[0].y, p[1].x, p[1].y, p[2].x, p[2].y);
+            break;
+        case KG_PATH_CLOSE:
+            cairo_close_path(cr);
+            break;
+        }
+    }
+}
+
+static void set_colour(cairo_t *cr, uint32_t colour) {
+    cairo_set_source_rgb(cr, (colour >> 16 & 255) / 255.0, (colour >> 8 & 255) / 255.0,
+                         (colour & 255) / 255.0);
+}
+
+static void show_stroke(cairo_t *cr, const kg_drawing *drawing, const kg_stroke *stroke) {
+    const kg_net_style *style = &drawing->styles[stroke->layer];
+    const double *dashes = NULL;
+    int count = stroke->dashed ? kg_layer_dashes(stroke->layer, &dashes) : 0;
+    set_colour(cr, style->colour);
+    trace(cr, &stroke->path);
+    if (stroke->filled) {
+        cairo_fill(cr);
+        return;
+    }
+    cairo_set_line_width(cr, style->width);
+    cairo_set_dash(cr, dashes, count, 0);
+    cairo_stroke(cr);
+}
+
+static void show_page(cairo_t *cr, const kg_drawing *drawing, const kg_page *page,
+                      kg_layers layers) {
+    for (size_t i = 0; i < page->strokes.count; i++)
+        if (layers & 1u << page->strokes.items[i].layer)
+            show_stroke(cr, drawing, &page->strokes.items[i]);
+    for (size_t i = 0; i < page->captions.count; i++) {
+        const kg_caption *caption = &page->captions.items[i];
+        if (!(layers & 1u << caption->layer))
+            continue;
+        set_colour(cr, drawing->styles[caption->layer].colour);
+        kg_glyph_show(cr, caption);
+    }
+}
+
+kg_status kg_pdf_pages(const kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
+                       kg_error *error) {
+    (void)page;
+    cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(
+        collect, out, drawing->size.x * POINT, drawing->size.y * POINT);
+    /* A date would make every file differ. */
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, NULL);
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, drawing->title);
+    cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "katagami");
+    cairo_t *cr = cairo_create(surface);
+    cairo_scale(cr, POINT, POINT);
+    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
+    for (size_t i = 0; i < drawing->page_count; i++) {
+        show_page(cr, drawing, &drawing->pages[i], layers);
+        cairo_show_page(cr);
+    }
+    cairo_status_t status = cairo_status(cr);
+    cairo_destroy(cr);
+    cairo_surface_finish(surface);
+    if (status == CAIRO_STATUS_SUCCESS)
+        status = cairo_surface_status(surface);
+    cairo_surface_destroy(surface);
+    if (status != CAIRO_STATUS_SUCCESS)
+        return kg_fail(error, KG_ERR_MEMORY, "cannot write PDF: %s",
+                       cairo_status_to_string(status));
+    return KG_OK;
+}
