@@ -78,9 +78,10 @@ KG_API double kg_curve_size(const kg_curve *curve);
 KG_API int kg_curve_darboux(const kg_curve *curve, kg_vec3 *out);
 
 /* How far, as a fraction of the curve's size, control points may be off a line or plane and still
- * count as on it. Files hold decimals rounded to about 1e-8 of a model; a curve treated as planar
- * bends its true ruling by no more than this, so unrolled lengths stay true to 1e-8. */
-#define KG_FLATNESS 1e-8
+ * count as on it. Files hold decimals rounded to about 1e-8 of a model, which is ten times as much
+ * of a small patch; a curve treated as planar bends its true ruling by no more than this, so
+ * unrolled lengths stay true to a few times 1e-7. */
+#define KG_FLATNESS 1e-7
 
 #ifdef __cplusplus
 }

@@ -75,30 +75,46 @@ kg_vec3 kg_curve_point(const kg_curve *curve, double v) {
     return p;
 }
 
+/* Value of a Bézier form of degree n <= 5: powers of v and 1-v build up in one pass, no term
+ * negative. */
+static inline kg_vec3 value(const kg_vec3 *a, int n, double v) {
+    static const double binomial[KG_CURVE_MAX_POINTS][KG_CURVE_MAX_POINTS] = {
+        {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}, {1, 5, 10, 10, 5, 1},
+    };
+    double s = 1 - v, w = 1;
+    kg_vec3 r = a[0];
+    for (int i = 1; i <= n; i++) {
+        w *= v;
+        r = kg_madd(kg_scale(r, s), w * binomial[n][i], a[i]);
+    }
+    return r;
+}
+
+/* n is a constant where this is called, so that the loops unroll. */
+static inline void derivatives(const kg_vec3 *points, int n, double v, int order, kg_vec3 *out) {
+    kg_vec3 q[KG_CURVE_MAX_POINTS]; /* k-th differences, times n!/(n-k)! coefficients of p^(k) */
+    for (int i = 0; i <= n; i++)
+        q[i] = points[i];
+    out[0] = value(q, n, v);
+    double factor = 1;
+    for (int k = 1; k <= n; k++) {
+        if (k > order)
+            return;
+        factor *= n - k + 1;
+        for (int i = 0; i <= n - k; i++)
+            q[i] = kg_sub(q[i + 1], q[i]);
+        out[k] = kg_scale(value(q, n - k, v), factor);
+    }
+    for (int k = n + 1; k <= order; k++)
+        out[k] = kg_v3(0, 0, 0);
+}
+
 void kg_curve_derivatives(const kg_curve *curve, double v, int order, kg_vec3 *out) {
     assert(order >= 0 && order < KG_CURVE_MAX_POINTS);
-    kg_vec3 q[KG_CURVE_MAX_POINTS];
-    int n = curve->degree;
-    double factor = 1;
-    for (int i = 0; i <= n; i++)
-        q[i] = curve->points[i];
-    for (int k = 0; k <= order; k++) {
-        /* q: the k-th differences; their Bézier value times n!/(n-k)! is the derivative */
-        if (k > n) {
-            out[k] = kg_v3(0, 0, 0);
-            continue;
-        }
-        kg_vec3 r[KG_CURVE_MAX_POINTS];
-        for (int i = 0; i <= n - k; i++)
-            r[i] = q[i];
-        for (int j = 1; j <= n - k; j++)
-            for (int i = 0; i <= n - k - j; i++)
-                r[i] = kg_lerp(r[i], r[i + 1], v);
-        out[k] = kg_scale(r[0], factor);
-        factor *= n - k;
-        for (int i = 0; i < n - k; i++)
-            q[i] = kg_sub(q[i + 1], q[i]);
-    }
+    if (curve->degree == 3)
+        derivatives(curve->points, 3, v, order, out);
+    else
+        derivatives(curve->points, 5, v, order, out);
 }
 
 kg_curve kg_curve_segment(const kg_curve *curve, double v0, double v1) {

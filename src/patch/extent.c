@@ -1,12 +1,12 @@
 /* How far a patch may reach: the edge of regression over all rulings, and their angles. */
 #include "patch/prepare.h"
 
-#include <stdlib.h>
-#include <string.h>
+/* A ruling nearer to its geodesic than this (radians) runs along it: sin θ is all rounding. */
+#define LEAST_THETA 1e-12
 
-/* A ruling nearer to its geodesic than this (radians) is taken to run along it: the paper beside
- * it would be narrower than a millionth of the patch. */
-#define LEAST_THETA 1e-6
+/* A patch that has to be narrower than this share of its size is none: its edge would be within
+ * what trims take for one point. */
+#define LEAST_WIDTH 1e-6
 
 typedef double (*measure)(const kg_ruling *r);
 
@@ -28,93 +28,133 @@ static double bend(const kg_ruling *r) {
     return kg_len(kg_cross(r->dp, r->ddp)) / r->speed;
 }
 
-/* The largest (sign 1) or smallest (-1) value of f in [lo, hi], where it has one, by golden
- * section. v within 1e-7 of the bracket puts a smooth extreme right to 1e-14. */
+/* The largest (sign 1) or smallest (-1) value of f in [lo, hi], where it has one: parabolas through
+ * the best three points, golden section where they do not shrink (Brent 1973, "Algorithms for
+ * minimization without derivatives", chapter 5). v to 1e-7 of the bracket puts a smooth extreme
+ * right to 1e-14. */
 static double climb(const kg_patch *p, measure f, double sign, double lo, double hi,
                     double *out_v) {
-    const double golden = 0.61803398874989485, narrow = 1e-7 * (hi - lo);
-    double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo);
-    kg_ruling ra = kg_patch_ruling(p, a), rb = kg_patch_ruling(p, b);
-    double fa = sign * f(&ra), fb = sign * f(&rb);
-    while (hi - lo > narrow) {
-        if (fa > fb) {
-            hi = b, b = a, fb = fa;
-            a = hi - golden * (hi - lo);
-            ra = kg_patch_ruling(p, a), fa = sign * f(&ra);
-        } else {
-            lo = a, a = b, fa = fb;
-            b = lo + golden * (hi - lo);
-            rb = kg_patch_ruling(p, b), fb = sign * f(&rb);
-        }
-        if (hi - lo <= 4e-16 * hi) /* no room left between doubles */
+    const double golden = 0.38196601125010515;
+    double narrow = fmax(1e-7 * (hi - lo), 4e-16 * hi);
+    double x = lo + golden * (hi - lo), w = x, v = x; /* best, second, the second before */
+    kg_ruling r = kg_patch_ruling(p, x);
+    double fx = -sign * f(&r), fw = fx, fv = fx, step = 0, before = 0;
+    for (int i = 0; i < 60; i++) {
+        double middle = 0.5 * (lo + hi);
+        if (fabs(x - middle) <= 2 * narrow - 0.5 * (hi - lo))
             break;
+        double a = (x - w) * (fx - fv), b = (x - v) * (fx - fw);
+        double above = (x - v) * b - (x - w) * a, below = 2 * (b - a);
+        double parabola = -above / below;
+        bool good = fabs(parabola) < 0.5 * fabs(before) && x + parabola > lo && x + parabola < hi;
+        before = good ? step : (x < middle ? hi : lo) - x;
+        step = good ? parabola : golden * before;
+        if (fabs(step) < narrow)
+            step = x < middle ? narrow : -narrow;
+        double u = x + step;
+        r = kg_patch_ruling(p, u);
+        double fu = -sign * f(&r);
+        if (fu <= fx) {
+            *(u < x ? &hi : &lo) = x;
+            v = w, fv = fw, w = x, fw = fx, x = u, fx = fu;
+        } else {
+            *(u < x ? &lo : &hi) = u;
+            if (fu <= fw || w == x)
+                v = w, fv = fw, w = u, fw = fu;
+            else if (fu <= fv || v == x || v == w)
+                v = u, fv = fu;
+        }
     }
-    *out_v = fa > fb ? a : b;
-    return sign * fmax(fa, fb);
+    *out_v = x;
+    return -sign * fx;
 }
 
 /* ---- samples ---------------------------------------------------------------------------- */
 
 /* Even samples miss what happens beside a near-inflection or near-cusp, as narrow as the place is
- * sharp: there the samples draw together by halves, down to 2^-GRADES of an even step. */
-enum {
-    GRADES = 28,
-    MAX_PLACES = 8,
-    MAX_SAMPLES = KG_PATCH_SCAN + 1 + MAX_PLACES * (2 * GRADES + 1)
-};
+ * sharp. So such places are samples too, and more are put in between while φ = ln tan(θ/2) moves
+ * by more than this from one to the next: the edge of regression is at 1/u = φ'/|p'|. */
+#define MOST_TURN 0.4
+enum { MAX_SAMPLES = 512, MAX_PLACES = 8, MAX_DEPTH = 24 };
 
-/* A minimum below this share of the largest value is such a place. Above it the even samples see
- * enough. */
+/* |p'| or |p'×p''|/|p'| with a minimum below this share of its largest value is such a place; above
+ * it the even samples see enough. */
 #define SHARP 0.2
 
 typedef struct samples {
     kg_ruling rulings[MAX_SAMPLES];
+    double phi[MAX_SAMPLES];
     int count;
 } samples;
 
-static int by_v(const void *a, const void *b) {
-    double x = ((const kg_ruling *)a)->v, y = ((const kg_ruling *)b)->v;
-    return (x > y) - (x < y);
-}
-
-static void add_sharp_places(const kg_patch *p, measure f, samples *s) {
+static void add_sharp_places(const kg_patch *p, measure f, const kg_ruling *even, double *places,
+                             int *count) {
     enum { N = KG_PATCH_SCAN };
     double value[N + 1], largest = 0;
     for (int i = 0; i <= N; i++) {
-        value[i] = f(&s->rulings[i]);
+        value[i] = f(&even[i]);
         largest = fmax(largest, value[i]);
     }
-    for (int i = 0; i <= N; i++) {
+    for (int i = 0; i <= N && *count < MAX_PLACES; i++) {
         if (!(value[i] < SHARP * largest) || (i > 0 && value[i - 1] < value[i]) ||
             (i < N && value[i + 1] < value[i]))
             continue;
-        if (s->count + 2 * GRADES + 1 > MAX_SAMPLES)
-            return;
-        double at, lo = fmax(0, (i - 1.0) / N), hi = fmin(1, (i + 1.0) / N);
-        climb(p, f, -1, lo, hi, &at);
-        s->rulings[s->count++] = kg_patch_ruling(p, at);
-        double step = 1.0 / N;
-        for (int k = 0; k < GRADES; k++, step *= 0.5) {
-            if (at - step >= 0)
-                s->rulings[s->count++] = kg_patch_ruling(p, at - step);
-            if (at + step <= 1)
-                s->rulings[s->count++] = kg_patch_ruling(p, at + step);
-        }
+        double lo = fmax(0, (i - 1.0) / N), hi = fmin(1, (i + 1.0) / N);
+        climb(p, f, -1, lo, hi, &places[(*count)++]);
     }
 }
 
-static void sample(const kg_patch *p, samples *s) {
-    s->count = 0;
-    for (int i = 0; i <= KG_PATCH_SCAN; i++)
-        s->rulings[s->count++] = kg_patch_ruling(p, (double)i / KG_PATCH_SCAN);
-    int even = s->count;
-    add_sharp_places(p, bend, s);
-    add_sharp_places(p, speed, s);
-    if (s->count > even)
-        qsort(s->rulings, (size_t)s->count, sizeof *s->rulings, by_v);
+/* φ = ln tan(θ/2) = -asinh(cot θ) */
+static double phi(const kg_ruling *r) {
+    return -asinh(r->cos_theta / r->sin_theta);
 }
 
-/* The smallest and the largest value of f over v: samples, refined where one stands out. */
+/* Appends what lies between the last sample and `end`, and `end`. */
+static void fill(const kg_patch *p, const kg_ruling *end, double end_phi, int depth, samples *s) {
+    int last = s->count - 1;
+    /* room is kept for the ends of the cells still to come */
+    if (fabs(end_phi - s->phi[last]) > MOST_TURN && depth < MAX_DEPTH &&
+        s->count < MAX_SAMPLES - KG_PATCH_SCAN - MAX_PLACES - MAX_DEPTH - 2) {
+        kg_ruling middle = kg_patch_ruling(p, 0.5 * (s->rulings[last].v + end->v));
+        fill(p, &middle, phi(&middle), depth + 1, s);
+        fill(p, end, end_phi, depth + 1, s);
+        return;
+    }
+    s->rulings[s->count] = *end;
+    s->phi[s->count++] = end_phi;
+}
+
+static void sample(const kg_patch *p, samples *s) {
+    enum { N = KG_PATCH_SCAN };
+    kg_ruling even[N + 1];
+    for (int i = 0; i <= N; i++)
+        even[i] = kg_patch_ruling(p, (double)i / N);
+    double places[MAX_PLACES + 1];
+    int count = 0;
+    add_sharp_places(p, bend, even, places, &count);
+    add_sharp_places(p, speed, even, places, &count);
+    for (int i = 1; i < count; i++) /* insertion sort of a handful */
+        for (int k = i; k > 0 && places[k - 1] > places[k]; k--) {
+            double swap = places[k];
+            places[k] = places[k - 1], places[k - 1] = swap;
+        }
+    s->rulings[0] = even[0];
+    s->phi[0] = phi(&even[0]);
+    s->count = 1;
+    for (int i = 1, k = 0; i <= N; i++) {
+        for (; k < count && places[k] < even[i].v; k++)
+            if (places[k] > even[i - 1].v) {
+                kg_ruling place = kg_patch_ruling(p, places[k]);
+                fill(p, &place, phi(&place), 0, s);
+            }
+        fill(p, &even[i], phi(&even[i]), 0, s);
+    }
+}
+
+/* The smallest and the largest value of f over v: samples, refined at every peak that may be the
+ * highest. A peak between samples tops its highest one by less than this factor. */
+#define PEAK 3
+
 static void extremes(const kg_patch *p, const samples *s, measure f, double *out_value,
                      double *out_v) {
     double values[MAX_SAMPLES];
@@ -128,11 +168,10 @@ static void extremes(const kg_patch *p, const samples *s, measure f, double *out
                 best = i;
         out_value[k] = values[best];
         out_v[k] = s->rulings[best].v;
-        /* a peak between samples tops its highest sample by less than this */
-        double close = values[best] - sign * 0.1 * fabs(values[best]);
+        double high = sign * values[best], close = high > 0 ? high / PEAK : high * PEAK;
         for (int i = 0; i < s->count; i++) {
             int before = i > 0 ? i - 1 : i, after = i + 1 < s->count ? i + 1 : i;
-            if (sign * values[i] < sign * close || sign * values[before] > sign * values[i] ||
+            if (sign * values[i] < close || sign * values[before] > sign * values[i] ||
                 sign * values[after] > sign * values[i])
                 continue;
             double v, lo = s->rulings[before].v, hi = s->rulings[after].v;
@@ -163,7 +202,7 @@ static kg_status measure_rulings(kg_patch *p, kg_error *error) {
         if (!(t >= LEAST_THETA && t <= pi - LEAST_THETA))
             return kg_fail(error, KG_ERR_INPUT,
                            "the ruling runs along the geodesic at v = %.4g, a twisted inflection; "
-                           "flatten the geodesic into a plane or bend it one way",
+                           "flatten the geodesic into a plane or bend it one way only",
                            s.rulings[i].v);
     }
     extremes(p, &s, theta, p->theta, v);
@@ -198,5 +237,14 @@ kg_status kg_patch_init_extent(const kg_patch_input *input, kg_patch *patch, kg_
                        "the extent [%g, %g] lies wholly beyond the edge of regression (allowed: "
                        "%g to %g); bring it nearer to the geodesic or bend the geodesic less",
                        lo, hi, least, most);
+    double upright = fmin(fmax(acos(0), patch->theta[0]), patch->theta[1]);
+    double width = (patch->extent[1] - patch->extent[0]) * sin(upright);
+    if ((patch->clamped || sin(upright) < 0.5) &&
+        width < LEAST_WIDTH * kg_curve_size(&patch->geodesic))
+        return kg_fail(error, KG_ERR_INPUT,
+                       "the paper folds back on itself right beside the geodesic, at v = %.4g (it "
+                       "would be %.2g mm wide); flatten the geodesic into a plane or bend it "
+                       "one way only",
+                       patch->flattest_v, width);
     return KG_OK;
 }

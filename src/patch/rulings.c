@@ -60,7 +60,7 @@ static kg_status straight_ruling(const kg_patch_input *in, kg_vec3 along, kg_vec
 /* What is lost, as a fraction of the remaining polynomial R, when an inflection is divided out of
  * D. R is then off by this, and lengths on paper with it: well below the 1e-6 that nets promise.
  * An inflection that a file's decimals moved off its exact place by KG_FLATNESS still passes. */
-#define REMAINDER 1e-7
+#define REMAINDER 1e-6
 
 /* Where p' × p'' comes nearest to zero next to v: Gauss-Newton steps on its length. */
 static double inflection_near(const kg_curve *c, double v, double *out_bend) {

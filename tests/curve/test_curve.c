@@ -197,12 +197,12 @@ static void curves_are_classified_at_the_flatness_threshold(void **state) {
         kg_curve_shape shape;
     } cases[] = {
         {0, 0, KG_CURVE_STRAIGHT},
-        {0.3e-8, 0, KG_CURVE_STRAIGHT},
-        {0.3e-8, 0.3e-8, KG_CURVE_STRAIGHT},
-        {1e-7, 0, KG_CURVE_PLANAR},
+        {0.3e-7, 0, KG_CURVE_STRAIGHT},
+        {0.3e-7, 0.3e-7, KG_CURVE_STRAIGHT},
+        {1e-6, 0, KG_CURVE_PLANAR},
         {1, 0, KG_CURVE_PLANAR},
-        {1, 0.3e-8, KG_CURVE_PLANAR},
-        {1, 1e-6, KG_CURVE_SPATIAL},
+        {1, 0.3e-7, KG_CURVE_PLANAR},
+        {1, 1e-5, KG_CURVE_SPATIAL},
         {1, 1, KG_CURVE_SPATIAL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
