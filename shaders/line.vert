@@ -9,7 +9,9 @@ uniform bool ortho;
 
 layout(location = 0) in vec4 start; // xyz, and the length of the polyline up to here
 layout(location = 1) in vec4 end;
-layout(location = 2) in uint element;
+layout(location = 2) in vec3 normal_a; // see kg_segment
+layout(location = 3) in vec3 normal_b;
+layout(location = 4) in uint element;
 
 noperspective out vec2 across;   // px, from `start`: along the segment, to its side
 noperspective out float reach;   // px, length of the segment on the screen
@@ -27,6 +29,13 @@ void main() {
     vec4 a = vec4((model_view * vec4(start.xyz, 1.0)).xyz, start.w);
     vec4 b = vec4((model_view * vec4(end.xyz, 1.0)).xyz, end.w);
     line_index = element;
+
+    vec3 to_eye = ortho ? vec3(0.0, 0.0, 1.0) : -a.xyz;
+    mat3 turn = mat3(model_view);
+    if (dot(turn * normal_a, to_eye) * dot(turn * normal_b, to_eye) > 0.0) {
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+        return;
+    }
 
     float da = -a.z - near, db = -b.z - near; // cut at the near plane, where w may reach 0
     if (!ortho && da < 0.0 && db < 0.0) {

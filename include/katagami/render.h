@@ -134,6 +134,11 @@ KG_API kg_status kg_shape_from_surface(const kg_surface *surface, kg_shape **out
                                        kg_error *error) KG_CHECKED;
 KG_API kg_status kg_shape_from_lines(const kg_lines *lines, kg_shape **out_shape,
                                      kg_error *error) KG_CHECKED;
+/* The lines that a drawing of the surface has: its borders, the edges bent by at least `crease`,
+ * and, from wherever it is seen, those where it turns its back. Vertices in the same place count as
+ * one, whatever their normals. */
+KG_API kg_status kg_shape_from_edges(const kg_surface *surface, double crease, kg_shape **out_shape,
+                                     kg_error *error) KG_CHECKED;
 KG_API kg_status kg_shape_from_points(const kg_vec3 *points, size_t count, kg_shape **out_shape,
                                       kg_error *error) KG_CHECKED;
 /* Lines of a grid in the plane z = `center.z`, `half_count` cells to each side. */
@@ -187,7 +192,8 @@ typedef struct kg_viewport {
 } kg_viewport;
 
 /* Draws into the bound framebuffer, which must have a depth buffer; clears the viewport's part of
- * it first. Leaves depth test, blending, culling and scissor off, and no program or array bound. */
+ * it first. Leaves depth test, blending, culling and scissor off, no program or array
+ * bound, and another glViewport. */
 KG_API void kg_renderer_draw(kg_renderer *renderer, const kg_scene *scene, const kg_camera *camera,
                              kg_viewport viewport);
 

@@ -20,8 +20,8 @@ static bool loads(const char *library) {
 }
 
 static kg_status open_context(kg_offscreen *o, kg_error *error) {
-    /* The extension's own function: plain eglGetPlatformDisplay needs a display of EGL 1.5 that is
-     * current already, which epoxy then misses. */
+    /* The extension's own function: epoxy aborts at plain eglGetPlatformDisplay, since it cannot
+     * know EGL's version before there is a display. */
     o->display = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     if (o->display == EGL_NO_DISPLAY || !eglInitialize(o->display, NULL, NULL))
         return kg_fail(error, KG_ERR_SYSTEM, "EGL finds no driver to draw with; " ADVICE);

@@ -112,6 +112,7 @@ kg_status kg_renderer_picture(kg_renderer *renderer, const kg_scene *scene, cons
         goto done;
     }
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    (void)glGetError(); /* an earlier caller's */
     for (int y = 0; y < height; y += step) {
         for (int x = 0; x < width; x += step) {
             kg_rect area = {x, y, width - x < step ? width - x : step,

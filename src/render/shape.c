@@ -1,7 +1,5 @@
 #include "render/shape.h"
 
-#include "base/array.h"
-
 #include <limits.h>
 #include <stdlib.h>
 
@@ -9,13 +7,7 @@ typedef struct surface_vertex {
     float position[3], normal[3];
 } surface_vertex;
 
-typedef struct segment {
-    float start[4], end[4]; /* xyz, and the arc length up to there */
-    uint32_t line;
-} segment;
-
-/* Bounds of `points`, which must be finite. */
-static kg_status bounds(const kg_vec3 *points, size_t count, kg_box3 *out_box, kg_error *error) {
+kg_status kg_shape_bounds(const kg_vec3 *points, size_t count, kg_box3 *out_box, kg_error *error) {
     kg_box3 box = kg_box3_empty();
     for (size_t i = 0; i < count; i++) {
         kg_vec3 p = points[i];
@@ -29,14 +21,22 @@ static kg_status bounds(const kg_vec3 *points, size_t count, kg_box3 *out_box, k
     return KG_OK;
 }
 
-static kg_vec3 center_of(kg_box3 box) {
+kg_vec3 kg_shape_center(kg_box3 box) {
     return box.lo.x <= box.hi.x ? kg_lerp(box.lo, box.hi, 0.5) : kg_v3(0, 0, 0);
 }
 
-static void store(kg_vec3 p, float out[3]) {
+void kg_shape_store(kg_vec3 p, float out[3]) {
     out[0] = (float)p.x;
     out[1] = (float)p.y;
     out[2] = (float)p.z;
+}
+
+/* Fills a new buffer, which stays bound; false when the card's memory runs out. */
+static bool upload(GLenum target, const void *data, size_t bytes, GLuint *out_buffer) {
+    glGenBuffers(1, out_buffer);
+    glBindBuffer(target, *out_buffer);
+    glBufferData(target, (GLsizeiptr)bytes, data, GL_STATIC_DRAW);
+    return glGetError() != GL_OUT_OF_MEMORY;
 }
 
 /* Binds a new vertex array with `bytes` of vertices in it. */
@@ -47,13 +47,14 @@ static kg_shape *create(kg_shape_kind kind, kg_box3 box, size_t count, const voi
         return NULL;
     shape->kind = kind;
     shape->box = box;
-    shape->origin = center_of(box);
+    shape->origin = kg_shape_center(box);
     shape->count = (GLsizei)count;
     glGenVertexArrays(1, &shape->array);
     glBindVertexArray(shape->array);
-    glGenBuffers(1, &shape->vertices);
-    glBindBuffer(GL_ARRAY_BUFFER, shape->vertices);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, vertices, GL_STATIC_DRAW);
+    if (!upload(GL_ARRAY_BUFFER, vertices, bytes, &shape->vertices)) {
+        kg_shape_destroy(shape);
+        return NULL;
+    }
     return shape;
 }
 
@@ -69,11 +70,7 @@ static void unbind(void) {
     glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-kg_status kg_shape_from_surface(const kg_surface *surface, kg_shape **out_shape, kg_error *error) {
-    kg_box3 box;
-    kg_status status = bounds(surface->positions, surface->vertex_count, &box, error);
-    if (status)
-        return status;
+kg_status kg_shape_check(const kg_surface *surface, kg_box3 *out_box, kg_error *error) {
     if (surface->triangle_count > INT_MAX / 3 || surface->vertex_count > INT_MAX)
         return kg_fail(error, KG_ERR_INPUT, "a surface of %zu triangles is too large to draw",
                        surface->triangle_count);
@@ -82,15 +79,23 @@ kg_status kg_shape_from_surface(const kg_surface *surface, kg_shape **out_shape,
             return kg_fail(error, KG_ERR_INPUT, "triangle %zu has corner %u of only %zu", i / 3,
                            surface->triangles[i], surface->vertex_count);
     }
+    return kg_shape_bounds(surface->positions, surface->vertex_count, out_box, error);
+}
+
+kg_status kg_shape_from_surface(const kg_surface *surface, kg_shape **out_shape, kg_error *error) {
+    kg_box3 box;
+    kg_status status = kg_shape_check(surface, &box, error);
+    if (status)
+        return status;
     size_t n = surface->vertex_count;
     surface_vertex *vertices = calloc(n + 1, sizeof *vertices);
     if (!vertices)
         return kg_fail(error, KG_ERR_MEMORY, "no memory to draw a surface of %zu vertices", n);
-    kg_vec3 center = center_of(box);
+    kg_vec3 center = kg_shape_center(box);
     for (size_t i = 0; i < n; i++) {
-        store(kg_sub(surface->positions[i], center), vertices[i].position);
+        kg_shape_store(kg_sub(surface->positions[i], center), vertices[i].position);
         if (surface->normals)
-            store(kg_unit(surface->normals[i]), vertices[i].normal);
+            kg_shape_store(kg_unit(surface->normals[i]), vertices[i].normal);
     }
     size_t count = 3 * surface->triangle_count;
     kg_shape *shape = create(KG_SHAPE_SURFACE, box, count, vertices, n * sizeof *vertices);
@@ -99,49 +104,33 @@ kg_status kg_shape_from_surface(const kg_surface *surface, kg_shape **out_shape,
         return kg_fail(error, KG_ERR_MEMORY, "no memory to draw a surface");
     attribute(0, 3, sizeof(surface_vertex), offsetof(surface_vertex, position), false);
     attribute(1, 3, sizeof(surface_vertex), offsetof(surface_vertex, normal), false);
-    glGenBuffers(1, &shape->indices);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, shape->indices);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof(uint32_t)),
-                 surface->triangles, GL_STATIC_DRAW);
+    bool room = upload(GL_ELEMENT_ARRAY_BUFFER, surface->triangles, count * sizeof(uint32_t),
+                       &shape->indices);
     unbind();
+    if (!room) {
+        kg_shape_destroy(shape);
+        return kg_fail(error, KG_ERR_MEMORY, "no memory to draw a surface");
+    }
     *out_shape = shape;
     return KG_OK;
 }
 
-kg_status kg_shape_from_lines(const kg_lines *lines, kg_shape **out_shape, kg_error *error) {
-    size_t point_count = lines->line_count ? lines->starts[lines->line_count] : 0;
-    kg_box3 box;
-    kg_status status = bounds(lines->points, point_count, &box, error);
-    if (status)
-        return status;
-    segment *segments = calloc(point_count + 1, sizeof *segments);
-    if (!segments)
-        return kg_fail(error, KG_ERR_MEMORY, "no memory to draw lines of %zu points", point_count);
-    kg_vec3 center = center_of(box);
-    size_t count = 0;
-    for (size_t i = 0; i < lines->line_count; i++) {
-        double length = 0;
-        for (size_t k = lines->starts[i]; k + 1 < lines->starts[i + 1]; k++) {
-            kg_vec3 a = lines->points[k], b = lines->points[k + 1];
-            segment *s = &segments[count++];
-            store(kg_sub(a, center), s->start);
-            store(kg_sub(b, center), s->end);
-            s->start[3] = (float)length;
-            length += kg_dist(a, b);
-            s->end[3] = (float)length;
-            s->line = (uint32_t)i;
-        }
-    }
+kg_status kg_shape_from_segments(const kg_segment *segments, size_t count, kg_box3 box,
+                                 kg_shape **out_shape, kg_error *error) {
+    if (count > INT_MAX)
+        return kg_fail(error, KG_ERR_INPUT, "%zu lines are too many to draw", count);
     kg_shape *shape = create(KG_SHAPE_LINES, box, count, segments, count * sizeof *segments);
-    free(segments);
     if (!shape)
         return kg_fail(error, KG_ERR_MEMORY, "no memory to draw lines");
-    attribute(0, 4, sizeof(segment), offsetof(segment, start), true);
-    attribute(1, 4, sizeof(segment), offsetof(segment, end), true);
-    glEnableVertexAttribArray(2);
-    glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, sizeof(segment),
-                           (const void *)offsetof(segment, line));
-    glVertexAttribDivisor(2, 1);
+    const size_t stride = sizeof(kg_segment);
+    attribute(0, 4, stride, offsetof(kg_segment, start), true);
+    attribute(1, 4, stride, offsetof(kg_segment, end), true);
+    attribute(2, 3, stride, offsetof(kg_segment, normal_a), true);
+    attribute(3, 3, stride, offsetof(kg_segment, normal_b), true);
+    glEnableVertexAttribArray(4);
+    glVertexAttribIPointer(4, 1, GL_UNSIGNED_INT, (GLsizei)stride,
+                           (const void *)offsetof(kg_segment, line));
+    glVertexAttribDivisor(4, 1);
     unbind();
     *out_shape = shape;
     return KG_OK;
@@ -150,7 +139,7 @@ kg_status kg_shape_from_lines(const kg_lines *lines, kg_shape **out_shape, kg_er
 kg_status kg_shape_from_points(const kg_vec3 *points, size_t count, kg_shape **out_shape,
                                kg_error *error) {
     kg_box3 box;
-    kg_status status = bounds(points, count, &box, error);
+    kg_status status = kg_shape_bounds(points, count, &box, error);
     if (status)
         return status;
     if (count > INT_MAX)
@@ -158,9 +147,9 @@ kg_status kg_shape_from_points(const kg_vec3 *points, size_t count, kg_shape **o
     float(*positions)[3] = calloc(count + 1, sizeof *positions);
     if (!positions)
         return kg_fail(error, KG_ERR_MEMORY, "no memory to draw %zu points", count);
-    kg_vec3 center = center_of(box);
+    kg_vec3 center = kg_shape_center(box);
     for (size_t i = 0; i < count; i++)
-        store(kg_sub(points[i], center), positions[i]);
+        kg_shape_store(kg_sub(points[i], center), positions[i]);
     kg_shape *shape = create(KG_SHAPE_POINTS, box, count, positions, count * sizeof *positions);
     free(positions);
     if (!shape)
@@ -169,43 +158,6 @@ kg_status kg_shape_from_points(const kg_vec3 *points, size_t count, kg_shape **o
     unbind();
     *out_shape = shape;
     return KG_OK;
-}
-
-kg_status kg_shape_grid(kg_vec3 center, double spacing, size_t half_count, kg_shape **out_shape,
-                        kg_error *error) {
-    enum { MOST = 1000 };
-    if (!(spacing > 0) || half_count < 1 || half_count > MOST)
-        return kg_fail(error, KG_ERR_INPUT, "a grid needs a spacing above 0 and 1 to %d cells",
-                       MOST);
-    struct {
-        kg_vec3 *items;
-        size_t count, capacity;
-    } points = {0};
-    struct {
-        uint32_t *items;
-        size_t count, capacity;
-    } starts = {0};
-    double half = spacing * (double)half_count;
-    bool room = kg_push(&starts, 0);
-    for (size_t i = 0; room && i <= 2 * half_count; i++) {
-        double at = spacing * (double)i - half;
-        room = kg_push(&points, kg_add(center, kg_v3(at, -half, 0))) &&
-               kg_push(&points, kg_add(center, kg_v3(at, half, 0))) &&
-               kg_push(&starts, (uint32_t)points.count) &&
-               kg_push(&points, kg_add(center, kg_v3(-half, at, 0))) &&
-               kg_push(&points, kg_add(center, kg_v3(half, at, 0))) &&
-               kg_push(&starts, (uint32_t)points.count);
-    }
-    kg_status status;
-    if (room) {
-        kg_lines lines = {points.items, starts.items, starts.count - 1};
-        status = kg_shape_from_lines(&lines, out_shape, error);
-    } else {
-        status = kg_fail(error, KG_ERR_MEMORY, "no memory for a grid");
-    }
-    free(points.items);
-    free(starts.items);
-    return status;
 }
 
 void kg_shape_draw(const kg_shape *shape) {

@@ -218,6 +218,78 @@ static void points_are_discs_or_squares(void **state) {
     kg_shape_destroy(s);
 }
 
+/* ---- edges ------------------------------------------------------------------------------ */
+
+/* Dark pixels of the lines that `crease` leaves of a surface, which hides what is behind it. */
+static double edge_darkness(const kg_surface *s, double crease, const kg_camera *camera) {
+    kg_shape *shapes[2] = {NULL, NULL};
+    assert_int_equal(kg_shape_from_surface(s, &shapes[0], NULL), KG_OK);
+    assert_int_equal(kg_shape_from_edges(s, crease, &shapes[1], NULL), KG_OK);
+    kg_item items[2] = {item_of(shapes[0], white, 1), item_of(shapes[1], black, 2)};
+    items[0].style.back = white;
+    items[1].style.size_px = 2;
+    double sum = darkness_of(items, 2, camera);
+    kg_shape_destroy(shapes[0]);
+    kg_shape_destroy(shapes[1]);
+    return sum;
+}
+
+static void a_cube_shows_creases_or_only_its_contour(void **state) {
+    (void)state;
+    /* Every face with corners of its own: they must be found to meet. */
+    kg_vec3 p[24];
+    uint32_t t[36];
+    for (uint32_t f = 0; f < 6; f++) {
+        for (uint32_t k = 0; k < 4; k++) {
+            double c[3], side = f % 2 ? 40 : -40;
+            c[f / 2] = side;
+            c[(f / 2 + 1) % 3] = (k == 1 || k == 2) == (f % 2) ? 40 : -40;
+            c[(f / 2 + 2) % 3] = k >= 2 ? 40 : -40;
+            p[4 * f + k] = kg_v3(c[0], c[1], c[2]);
+        }
+        const uint32_t corners[6] = {0, 1, 2, 0, 2, 3};
+        for (int k = 0; k < 6; k++)
+            t[6 * f + (uint32_t)k] = 4 * f + corners[k];
+    }
+    kg_surface s = {24, p, NULL, 12, t};
+    kg_camera camera = front_camera();
+    camera.yaw = PI / 4;
+    camera.pitch = atan(sqrt(0.5)); /* all edges equally foreshortened */
+    double edge = 80 * sqrt(2.0 / 3) * 2;
+    assert_near(edge_darkness(&s, 1, &camera), 9 * edge, 0.4 * edge);
+    assert_near(edge_darkness(&s, PI, &camera), 6 * edge, 0.4 * edge);
+}
+
+static void an_open_sheet_shows_its_border(void **state) {
+    (void)state;
+    kg_vec3 p[4] = {kg_v3(-50, 0, -50), kg_v3(50, 0, -50), kg_v3(50, 0, 50), kg_v3(-50, 0, 50)};
+    uint32_t t[6] = {0, 1, 2, 0, 2, 3};
+    kg_surface s = {4, p, NULL, 2, t};
+    kg_camera camera = front_camera();
+    assert_near(edge_darkness(&s, PI, &camera), 4 * 100 * 2, 20);
+    t[4] = 3, t[5] = 2; /* the second triangle turned over: still no line between them */
+    assert_near(edge_darkness(&s, PI, &camera), 4 * 100 * 2, 20);
+}
+
+static void a_tube_shows_its_contour_from_every_side(void **state) {
+    (void)state;
+    enum { N = 90 };
+    kg_vec3 p[2 * N];
+    uint32_t t[6 * N];
+    for (uint32_t i = 0; i < N; i++) {
+        double a = 2 * PI * i / N;
+        p[2 * i] = kg_v3(30 * cos(a), 30 * sin(a), -60);
+        p[2 * i + 1] = kg_v3(30 * cos(a), 30 * sin(a), 60);
+        uint32_t b = 2 * i, n = 2 * ((i + 1) % N);
+        const uint32_t corners[6] = {b, n, n + 1, b, n + 1, b + 1};
+        memcpy(t + 6 * i, corners, sizeof corners);
+    }
+    kg_surface s = {2 * N, p, NULL, 2 * N, t};
+    kg_camera camera = front_camera();
+    for (int i = 0; i < 20; i++, camera.yaw += 0.3) /* two rims seen from the side, two contours */
+        assert_near(edge_darkness(&s, 1, &camera), 2 * (2 * 60 + 2 * 120), 20);
+}
+
 /* ---- pictures --------------------------------------------------------------------------- */
 
 static void the_same_scene_gives_the_same_bytes(void **state) {
@@ -386,6 +458,9 @@ int main(void) {
         cmocka_unit_test(hidden_lines_show_as_faintly_as_asked),
         cmocka_unit_test(a_line_through_the_eye_is_cut_at_it),
         cmocka_unit_test(points_are_discs_or_squares),
+        cmocka_unit_test(a_cube_shows_creases_or_only_its_contour),
+        cmocka_unit_test(an_open_sheet_shows_its_border),
+        cmocka_unit_test(a_tube_shows_its_contour_from_every_side),
         cmocka_unit_test(the_same_scene_gives_the_same_bytes),
         cmocka_unit_test(tiles_join_without_a_seam),
         cmocka_unit_test(axes_stay_in_their_corner),
