@@ -1,0 +1,35 @@
+/*
+ * katagami: from a solved patch model to a net.
+ *
+ * Every piece of every patch becomes a part, unrolled exactly. Where an edge of one lies on
+ * another, they are joined: edge to edge a seam, edge on the inside a contact, whose curve is
+ * drawn as a mark on the other part.
+ */
+#ifndef KATAGAMI_UNROLL_H
+#define KATAGAMI_UNROLL_H
+
+#include "katagami/model.h"
+#include "katagami/net.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct kg_unrolled {
+    kg_net *net; /* at scale 1, without tabs */
+    /* How edges of joins bend in space, for tabs: bends[2 * join + side] is NULL or holds one value
+     * per point of that stretch, the turning of the tangent in space since its start, radians. */
+    size_t bend_count;
+    double **bends;
+} kg_unrolled;
+
+/* Unrolls all valid patches that are no construction, parts in the order of the model.
+ * KG_ERR_MEMORY only: check the solution first. */
+KG_API kg_status kg_unroll(const kg_model *model, const kg_solution *solution,
+                           kg_unrolled **out_unrolled, kg_error *error) KG_CHECKED;
+KG_API void kg_unrolled_destroy(kg_unrolled *unrolled);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

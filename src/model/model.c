@@ -1,0 +1,127 @@
+#include "katagami/model.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void clear_op(kg_trim_op *op) {
+    free(op->by);
+    free(op->keep);
+    free(op->contour);
+    json_decref(op->json);
+}
+
+static void clear_patch(kg_model_patch *p) {
+    for (size_t i = 0; i < p->trim_count; i++)
+        clear_op(&p->trims[i]);
+    free(p->trims);
+    free(p->name);
+    json_decref(p->json);
+}
+
+kg_model *kg_model_create(void) {
+    kg_model *m = calloc(1, sizeof *m);
+    if (!m)
+        return NULL;
+    m->reference.visible = true;
+    m->reference.opacity = 0.4;
+    m->net.margin = 8;
+    m->net.scale = 1;
+    m->net.tab_width = 5;
+    m->title = strdup("");
+    if (!m->title) {
+        free(m);
+        return NULL;
+    }
+    return m;
+}
+
+void kg_model_destroy(kg_model *m) {
+    if (!m)
+        return;
+    for (size_t i = 0; i < m->patch_count; i++)
+        clear_patch(&m->patches[i]);
+    free(m->patches);
+    free(m->title);
+    free(m->reference.file);
+    json_decref(m->reference.json);
+    free(m->net.paper);
+    json_decref(m->net.json);
+    json_decref(m->json);
+    free(m);
+}
+
+/* A copy of `count` items, NULL for none; false when memory runs out. */
+static bool copy_array(const void *from, size_t count, size_t size, void **out) {
+    *out = NULL;
+    if (count == 0)
+        return true;
+    *out = malloc(count * size); /* the source exists, so the product does not overflow */
+    if (!*out)
+        return false;
+    memcpy(*out, from, count * size);
+    return true;
+}
+
+static bool copy_text(const char *from, char **out) {
+    *out = from ? strdup(from) : NULL;
+    return !from || *out;
+}
+
+static bool copy_op(const kg_trim_op *from, kg_trim_op *to) {
+    *to = *from;
+    to->json = json_incref(from->json); /* never changed in place, so it can be shared */
+    to->by = NULL, to->keep = NULL, to->contour = NULL;
+    return copy_array(from->by, from->by_count, sizeof *from->by, (void **)&to->by) &&
+           copy_array(from->keep, from->keep_count, sizeof *from->keep, (void **)&to->keep) &&
+           copy_array(from->contour, from->contour_count, sizeof *from->contour,
+                      (void **)&to->contour);
+}
+
+static bool copy_patch(const kg_model_patch *from, kg_model_patch *to) {
+    *to = *from;
+    to->json = json_incref(from->json);
+    to->name = NULL;
+    to->trim_count = 0;
+    to->trims = calloc(from->trim_count + 1, sizeof *to->trims);
+    if (!to->trims || !copy_text(from->name, &to->name))
+        return false;
+    for (size_t i = 0; i < from->trim_count; i++) {
+        to->trim_count++;
+        if (!copy_op(&from->trims[i], &to->trims[i]))
+            return false;
+    }
+    return true;
+}
+
+kg_model *kg_model_copy(const kg_model *from) {
+    kg_model *to = malloc(sizeof *to);
+    if (!to)
+        return NULL;
+    *to = *from;
+    to->json = json_incref(from->json);
+    to->reference.json = json_incref(from->reference.json);
+    to->net.json = json_incref(from->net.json);
+    to->title = to->reference.file = to->net.paper = NULL;
+    to->patch_count = 0;
+    to->patches = calloc(from->patch_count + 1, sizeof *to->patches);
+    bool ok = to->patches && copy_text(from->title, &to->title) &&
+              copy_text(from->reference.file, &to->reference.file) &&
+              copy_text(from->net.paper, &to->net.paper);
+    for (size_t i = 0; i < from->patch_count && ok; i++) {
+        to->patch_count++;
+        ok = copy_patch(&from->patches[i], &to->patches[i]);
+    }
+    if (!ok) {
+        kg_model_destroy(to);
+        return NULL;
+    }
+    return to;
+}
+
+kg_model_patch *kg_model_find(const kg_model *model, int64_t id) {
+    for (size_t i = 0; i < model->patch_count; i++)
+        if (model->patches[i].id == id)
+            return &model->patches[i];
+    return NULL;
+}

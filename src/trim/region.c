@@ -1,0 +1,326 @@
+#include "trim/region.h"
+
+#include "base/array.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void kg_region_clear(kg_region *region) {
+    for (size_t i = 0; i < region->loop_count; i++) {
+        free(region->loops[i].points);
+        free(region->loops[i].edges);
+        free(region->loops[i].ends);
+    }
+    free(region->loops);
+    *region = (kg_region){0};
+}
+
+void kg_regions_clear(kg_regions *regions) {
+    for (size_t i = 0; i < regions->count; i++)
+        kg_region_clear(&regions->items[i]);
+    free(regions->items);
+    *regions = (kg_regions){0};
+}
+
+kg_status kg_regions_add(kg_regions *regions, kg_region region) {
+    size_t capacity = regions->count; /* grows by one: a patch has few pieces */
+    if (!kg_reserve_bytes((void **)&regions->items, &capacity, regions->count + 1, sizeof region)) {
+        kg_region_clear(&region);
+        return KG_ERR_MEMORY;
+    }
+    regions->items[regions->count++] = region;
+    return KG_OK;
+}
+
+/* ---- sampling straight (u,v) segments --------------------------------------------------- */
+
+static double chord_gap(const kg_patch *p, kg_vec2 a, kg_vec2 b) {
+    kg_vec2 m = kg_lerp2(a, b, 0.5);
+    kg_vec3 xa = kg_patch_point(p, a.x, a.y), xb = kg_patch_point(p, b.x, b.y);
+    kg_vec2 ya = kg_patch_unroll(p, a.x, a.y), yb = kg_patch_unroll(p, b.x, b.y);
+    double space = kg_dist(kg_patch_point(p, m.x, m.y), kg_lerp(xa, xb, 0.5));
+    double paper = kg_dist2(kg_patch_unroll(p, m.x, m.y), kg_lerp2(ya, yb, 0.5));
+    return fmax(space, paper);
+}
+
+static kg_status push_straight(const kg_patch *p, kg_vec2 at, kg_points *points) {
+    kg_cross_point q = {.u = at.x, .v = at.y, .x = kg_patch_point(p, at.x, at.y)};
+    return kg_push(points, q) ? KG_OK : KG_ERR_MEMORY;
+}
+
+kg_status kg_sample_straight(const kg_patch *patch, kg_vec2 a, kg_vec2 b, double tolerance,
+                             kg_points *points) {
+    /* Along a ruling the segment is straight everywhere. Otherwise equal steps, doubled until all
+     * chords keep to the tolerance; the first step count is small enough for S-bends to be seen. */
+    enum { FIRST = 4, LAST = 1024 };
+    int n = 1;
+    if (a.y != b.y) {
+        for (n = FIRST; n < LAST; n *= 2) {
+            double worst = 0;
+            for (int i = 0; i < n && worst <= tolerance; i++)
+                worst = fmax(worst, chord_gap(patch, kg_lerp2(a, b, (double)i / n),
+                                              kg_lerp2(a, b, (double)(i + 1) / n)));
+            if (worst <= tolerance)
+                break;
+        }
+    }
+    kg_status status = KG_OK;
+    for (int i = 0; i < n && !status; i++)
+        status = push_straight(patch, kg_lerp2(a, b, (double)i / n), points);
+    return status;
+}
+
+kg_status kg_regions_rectangle(const kg_patch *patch, double tolerance, kg_regions *out_regions,
+                               kg_error *error) {
+    double lo = patch->extent[0], hi = patch->extent[1];
+    const kg_vec2 corner[5] = {{lo, 0}, {hi, 0}, {hi, 1}, {lo, 1}, {lo, 0}};
+    static const int64_t side[4] = {2, 1, 3, 0};
+    kg_points points = {0};
+    kg_region region = {.loop_count = 1, .loops = calloc(1, sizeof *region.loops)};
+    kg_region_edge *edges = calloc(4, sizeof *edges);
+    kg_cross_point *ends = calloc(4, sizeof *ends);
+    kg_status status = region.loops && edges && ends ? KG_OK : KG_ERR_MEMORY;
+    for (size_t i = 0; i < 4 && !status; i++) {
+        size_t first = points.count;
+        status = kg_sample_straight(patch, corner[i], corner[i + 1], tolerance, &points);
+        edges[i] = (kg_region_edge){KG_EDGE_OUTLINE, side[i], first, points.count - first};
+    }
+    if (status) {
+        free(region.loops);
+        free(edges);
+        free(ends);
+        free(points.items);
+        return kg_fail(error, status, "out of memory");
+    }
+    for (size_t i = 0; i < 4; i++)
+        ends[i] = points.items[edges[(i + 1) % 4].first];
+    region.loops[0] = (kg_region_loop){points.count, points.items, 4, edges, ends};
+    kg_regions regions = {0};
+    if (kg_regions_add(&regions, region))
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    *out_regions = regions;
+    return KG_OK;
+}
+
+/* ---- to and from arrangements ----------------------------------------------------------- */
+
+/* Does half-edge h go on where g ends, along the same chain in the same direction? */
+static bool continues(const kg_arrangement *a, size_t g, size_t h) {
+    const kg_arc *x = &a->arcs[g / 2], *y = &a->arcs[h / 2];
+    if (x->chain != y->chain || (g & 1) != (h & 1))
+        return false;
+    return true;
+}
+
+static kg_cross_point half_point(const kg_arrangement *a, size_t h, size_t i) {
+    const kg_arc *arc = &a->arcs[h / 2];
+    return a->pool[arc->first + (h & 1 ? arc->count - 1 - i : i)];
+}
+
+static kg_status loop_from_face(const kg_arrangement *a, const kg_face_loop *face,
+                                kg_region_loop *out) {
+    const size_t *half = a->halfedges + face->first;
+    size_t n = face->count, start = 0, total = 0, edges = 0;
+    /* begin where a chain changes, so that no edge runs over the loop's start */
+    while (start < n && continues(a, half[(start + n - 1) % n], half[start]))
+        start++;
+    start %= n;
+    for (size_t k = 0; k < n; k++) {
+        total += a->arcs[half[k] / 2].count - 1;
+        edges += k == 0 || !continues(a, half[(start + k - 1) % n], half[(start + k) % n]);
+    }
+    kg_region_loop loop = {.points = calloc(total, sizeof *loop.points),
+                           .edges = calloc(edges, sizeof *loop.edges),
+                           .ends = calloc(edges, sizeof *loop.ends)};
+    if (!loop.points || !loop.edges || !loop.ends) {
+        free(loop.points);
+        free(loop.edges);
+        free(loop.ends);
+        return KG_ERR_MEMORY;
+    }
+    for (size_t k = 0; k < n; k++) {
+        size_t h = half[(start + k) % n];
+        const kg_arc *arc = &a->arcs[h / 2];
+        const kg_chain *chain = &a->chains->items[arc->chain];
+        if (k == 0 || !continues(a, half[(start + k - 1) % n], h))
+            loop.edges[loop.edge_count++] =
+                (kg_region_edge){chain->kind, chain->source, loop.point_count, 0};
+        for (size_t i = 0; i + 1 < arc->count; i++)
+            loop.points[loop.point_count++] = half_point(a, h, i);
+        loop.edges[loop.edge_count - 1].count += arc->count - 1;
+        loop.ends[loop.edge_count - 1] = half_point(a, h, arc->count - 1);
+    }
+    *out = loop;
+    return KG_OK;
+}
+
+kg_status kg_region_from_face(const kg_arrangement *a, size_t face, kg_region *out_region) {
+    size_t count = 0;
+    for (size_t i = 0; i < a->loop_count; i++)
+        count += a->loops[i].face == face;
+    kg_region region = {.loops = calloc(count, sizeof *region.loops)};
+    if (!region.loops)
+        return KG_ERR_MEMORY;
+    for (int holes = 0; holes < 2; holes++)
+        for (size_t i = 0; i < a->loop_count; i++) {
+            if (a->loops[i].face != face || (a->loops[i].area <= 0) != holes)
+                continue;
+            if (loop_from_face(a, &a->loops[i], &region.loops[region.loop_count])) {
+                kg_region_clear(&region);
+                return KG_ERR_MEMORY;
+            }
+            region.loop_count++;
+        }
+    *out_region = region;
+    return KG_OK;
+}
+
+kg_status kg_region_chains(const kg_region *region, kg_patch_finder finder, kg_chains *chains) {
+    for (size_t i = 0; i < region->loop_count; i++) {
+        const kg_region_loop *loop = &region->loops[i];
+        for (size_t k = 0; k < loop->edge_count; k++) {
+            const kg_region_edge *e = &loop->edges[k];
+            kg_chain chain = {.kind = e->kind,
+                              .source = e->source,
+                              .labels = KG_LABEL_REGION,
+                              .closed = loop->edge_count == 1,
+                              .count = e->count + 1};
+            if (e->kind == KG_EDGE_CUT)
+                chain.other = finder.find(finder.user, e->source);
+            chain.points = malloc(chain.count * sizeof *chain.points);
+            if (!chain.points)
+                return KG_ERR_MEMORY;
+            for (size_t j = 0; j <= e->count; j++)
+                chain.points[j] = kg_region_edge_point(loop, e, j);
+            kg_status status = kg_chains_add(chains, chain);
+            if (status)
+                return status;
+        }
+    }
+    return KG_OK;
+}
+
+/* ---- points of edges -------------------------------------------------------------------- */
+
+kg_cross_point kg_region_edge_point(const kg_region_loop *loop, const kg_region_edge *edge,
+                                    size_t i) {
+    if (i == edge->count)
+        return loop->ends[edge - loop->edges];
+    return loop->points[(edge->first + i) % loop->point_count];
+}
+
+kg_cross_point kg_region_edge_at(const kg_patch *patch, const kg_region_loop *loop,
+                                 const kg_region_edge *edge, const kg_patch *cutter, size_t i,
+                                 double fraction, kg_cross_point *out_slope) {
+    kg_cross_point span[2] = {kg_region_edge_point(loop, edge, i),
+                              kg_region_edge_point(loop, edge, i + 1)};
+    kg_chain chain = {.kind = edge->kind, .other = cutter, .count = 2, .points = span};
+    return kg_chain_at(patch, &chain, 0, fraction, out_slope);
+}
+
+/* ---- measures --------------------------------------------------------------------------- */
+
+/* Three-point Gauss-Legendre on spans whose chords already keep to the sampling tolerance: the
+ * error is of sixth order in the span. */
+static const double gauss_node[3] = {0.11270166537925831, 0.5, 0.88729833462074169};
+static const double gauss_weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+/* Adds what one Gauss point stands for. Area by Green's theorem: on paper ½ (x dy - y dx); in space
+ * |X_u × X_v| = b + u c is linear in u on each ruling, so its integral over u is b u + c u²/2. */
+static void add_measure(kg_measure *m, const kg_patch *patch, const kg_cross_point *at,
+                        const kg_cross_point *slope, double weight) {
+    kg_ruling r = kg_patch_ruling(patch, at->v);
+    kg_vec3 xv = kg_madd(r.dp, at->u, r.dd);
+    kg_vec3 dx = kg_add(kg_scale(r.d, slope->u), kg_scale(xv, slope->v));
+    kg_vec3 w = kg_sub(r.dp, kg_scale(r.d, kg_dot(r.dp, r.d)));
+    double b = kg_len(w), c = kg_dot(r.dd, w) / b;
+    m->space_length += weight * kg_len(dx);
+    m->space_moment += weight * at->u * (b + 0.5 * c * at->u) * slope->v;
+
+    kg_vec2 y = kg_v2(at->u * r.sin_theta, at->u * r.cos_theta + kg_patch_length(patch, at->v));
+    kg_vec2 dy =
+        kg_v2(r.sin_theta * slope->u + at->u * r.cos_theta * r.dtheta * slope->v,
+              r.cos_theta * slope->u + (r.speed - at->u * r.sin_theta * r.dtheta) * slope->v);
+    m->paper_length += weight * kg_len2(dy);
+    m->paper_moment += weight * 0.5 * kg_cross2(y, dy);
+}
+
+kg_measure kg_region_edge_measure(const kg_patch *patch, const kg_region_loop *loop,
+                                  const kg_region_edge *edge, const kg_patch *cutter, double from,
+                                  double to) {
+    kg_measure m = {0};
+    for (size_t i = 0; i < edge->count; i++) {
+        double lo = fmax(from, (double)i), hi = fmin(to, (double)i + 1);
+        for (int k = 0; k < 3 && lo < hi; k++) {
+            double f = lo + (hi - lo) * gauss_node[k] - (double)i;
+            kg_cross_point slope, at = kg_region_edge_at(patch, loop, edge, cutter, i, f, &slope);
+            add_measure(&m, patch, &at, &slope, (hi - lo) * gauss_weight[k]);
+        }
+    }
+    return m;
+}
+
+kg_measure kg_region_measure(const kg_patch *patch, const kg_region *region,
+                             kg_patch_finder finder) {
+    kg_measure sum = {0};
+    for (size_t i = 0; i < region->loop_count; i++)
+        for (size_t k = 0; k < region->loops[i].edge_count; k++) {
+            const kg_region_edge *e = &region->loops[i].edges[k];
+            const kg_patch *cutter =
+                e->kind == KG_EDGE_CUT ? finder.find(finder.user, e->source) : NULL;
+            kg_measure m =
+                kg_region_edge_measure(patch, &region->loops[i], e, cutter, 0, (double)e->count);
+            sum.space_length += m.space_length;
+            sum.paper_length += m.paper_length;
+            sum.space_moment += m.space_moment;
+            sum.paper_moment += m.paper_moment;
+        }
+    return sum;
+}
+
+/* ---- where points lie ------------------------------------------------------------------- */
+
+bool kg_region_contains(const kg_region *region, double u, double v) {
+    bool inside = false;
+    for (size_t i = 0; i < region->loop_count; i++) {
+        const kg_region_loop *loop = &region->loops[i];
+        const kg_cross_point *p = &loop->points[loop->point_count - 1];
+        for (size_t k = 0; k < loop->point_count; k++) {
+            const kg_cross_point *q = &loop->points[k];
+            if ((p->v > v) != (q->v > v) && u < p->u + (v - p->v) / (q->v - p->v) * (q->u - p->u))
+                inside = !inside;
+            p = q;
+        }
+    }
+    return inside;
+}
+
+static double segment_distance(kg_vec3 p, kg_vec3 a, kg_vec3 b) {
+    kg_vec3 d = kg_sub(b, a);
+    double n = kg_dot(d, d), f = n > 0 ? kg_dot(kg_sub(p, a), d) / n : 0;
+    return kg_dist(p, kg_madd(a, fmin(fmax(f, 0), 1), d));
+}
+
+double kg_region_distance(const kg_patch *patch, const kg_region *region, kg_vec3 point) {
+    double u, v, best = kg_patch_closest(patch, point, &u, &v);
+    if (kg_region_contains(region, u, v))
+        return best;
+    best = INFINITY;
+    for (size_t i = 0; i < region->loop_count; i++) {
+        const kg_region_loop *loop = &region->loops[i];
+        for (size_t k = 0; k < loop->point_count; k++)
+            best = fmin(best, segment_distance(point, loop->points[k].x,
+                                               loop->points[(k + 1) % loop->point_count].x));
+    }
+    /* Minima inside the region that are not the patch's own: rows of rulings, dense enough to tell
+     * one piece from another. */
+    enum { ROWS = 128 };
+    for (int i = 0; i <= ROWS; i++) {
+        double row = (double)i / ROWS;
+        kg_ruling r = kg_patch_ruling(patch, row);
+        double foot = kg_dot(kg_sub(point, r.p), r.d);
+        if (kg_region_contains(region, foot, row))
+            best = fmin(best, kg_dist(point, kg_madd(r.p, foot, r.d)));
+    }
+    return best;
+}

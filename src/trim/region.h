@@ -1,0 +1,29 @@
+/* What regions and trims share. */
+#ifndef KG_TRIM_REGION_H
+#define KG_TRIM_REGION_H
+
+#include "trim/arrangement.h"
+
+/* Points of the straight (u,v) segment from a to b, a included, b not, dense enough that chords
+ * keep to the tolerance in space and on paper. Appends to `points`. */
+typedef struct kg_points {
+    kg_cross_point *items;
+    size_t count, capacity;
+} kg_points;
+kg_status kg_sample_straight(const kg_patch *patch, kg_vec2 a, kg_vec2 b, double tolerance,
+                             kg_points *points) KG_CHECKED;
+
+/* The region of one face of an arrangement. */
+kg_status kg_region_from_face(const kg_arrangement *a, size_t face,
+                              kg_region *out_region) KG_CHECKED;
+
+/* The loops of a region as chains that carry KG_LABEL_REGION. The finder gives cutters. */
+kg_status kg_region_chains(const kg_region *region, kg_patch_finder finder,
+                           kg_chains *chains) KG_CHECKED;
+
+void kg_region_clear(kg_region *region);
+
+/* Takes over `region`, also on failure. */
+kg_status kg_regions_add(kg_regions *regions, kg_region region) KG_CHECKED;
+
+#endif

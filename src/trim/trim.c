@@ -1,0 +1,308 @@
+#include "katagami/trim.h"
+
+#include "base/array.h"
+#include "trim/cutting.h"
+#include "trim/region.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* A piece narrower than this fraction of the patch (area over size times perimeter) is what
+ * rounding leaves between nearly coincident curves, not paper. */
+#define SLIVER 1e-6
+
+static double loop_length(const kg_region_loop *loop) {
+    double sum = 0;
+    for (size_t i = 0; i < loop->point_count; i++)
+        sum += kg_dist(loop->points[i].x, loop->points[(i + 1) % loop->point_count].x);
+    return sum;
+}
+
+static bool is_sliver(const kg_arrangement *a, size_t face, const kg_region *region) {
+    double area = 0, length = 0;
+    for (size_t i = 0; i < a->loop_count; i++)
+        if (a->loops[i].face == face)
+            area += a->loops[i].area;
+    for (size_t i = 0; i < region->loop_count; i++)
+        length += loop_length(&region->loops[i]);
+    return area <= SLIVER * a->patch->size * length;
+}
+
+/* Adds the faces that `wanted` accepts as regions. */
+typedef bool (*face_filter)(const kg_arrangement *a, size_t face, const void *user);
+
+static kg_status add_faces(const kg_arrangement *a, face_filter wanted, const void *user,
+                           kg_regions *out) {
+    for (size_t f = 1; f < a->face_count; f++) {
+        if (!(a->labels[f] & KG_LABEL_REGION) || (wanted && !wanted(a, f, user)))
+            continue;
+        kg_region region;
+        kg_status status = kg_region_from_face(a, f, &region);
+        if (status)
+            return status;
+        if (is_sliver(a, f, &region)) {
+            kg_region_clear(&region);
+            continue;
+        }
+        if ((status = kg_regions_add(out, region)))
+            return status;
+    }
+    return KG_OK;
+}
+
+static size_t nearest_piece(const kg_patch *patch, const kg_regions *pieces, kg_vec3 point) {
+    /* the piece that holds the patch's nearest point, if any holds it, is the nearest */
+    double u, v, least = HUGE_VAL;
+    size_t best = 0;
+    kg_patch_closest(patch, point, &u, &v);
+    for (size_t i = 0; i < pieces->count; i++)
+        if (kg_region_contains(&pieces->items[i], u, v))
+            return i;
+    for (size_t i = 0; i < pieces->count; i++) {
+        double d = kg_region_distance(patch, &pieces->items[i], point);
+        if (d < least)
+            least = d, best = i;
+    }
+    return best;
+}
+
+/* Keeps, for each point, the piece nearest to it. */
+static kg_status keep_nearest(const kg_patch *patch, kg_regions *pieces, const kg_vec3 *keep,
+                              size_t keep_count) {
+    if (keep_count == 0 || pieces->count < 2)
+        return KG_OK;
+    bool *kept = calloc(pieces->count, sizeof *kept);
+    if (!kept)
+        return KG_ERR_MEMORY;
+    for (size_t k = 0; k < keep_count; k++)
+        kept[nearest_piece(patch, pieces, keep[k])] = true;
+    size_t n = 0;
+    for (size_t i = 0; i < pieces->count; i++) {
+        if (kept[i])
+            pieces->items[n++] = pieces->items[i];
+        else
+            kg_region_clear(&pieces->items[i]);
+    }
+    pieces->count = n;
+    free(kept);
+    return KG_OK;
+}
+
+static kg_status finish(kg_status status, kg_regions *pieces, kg_regions *out_regions,
+                        kg_error *error) {
+    if (status) {
+        kg_regions_clear(pieces);
+        return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
+    }
+    *out_regions = *pieces;
+    return KG_OK;
+}
+
+/* ---- single surface --------------------------------------------------------------------- */
+
+static kg_status missed(const kg_cut *cut, kg_error *error) {
+    return kg_fail(error, KG_ERR_INPUT,
+                   "patch %lld does not meet it, so it cannot cut it; move one of them, widen its "
+                   "extent or remove the trim",
+                   (long long)cut->source);
+}
+
+static kg_status split_region(const kg_trim *t, const kg_region *region, const kg_cut *cut,
+                              kg_regions *pieces) {
+    kg_chains chains = {0};
+    kg_arrangement a = {0};
+    kg_status status = kg_region_chains(region, t->finder, &chains);
+    size_t outline = chains.count;
+    if (!status)
+        status = kg_cut_chains(t->patch, cut, &chains);
+    if (!status)
+        status = kg_cut_prolong(t, region, outline, &chains);
+    if (!status)
+        status = kg_arrangement_build(t->patch, &chains, &a);
+    if (!status)
+        status = add_faces(&a, NULL, NULL, pieces);
+    kg_arrangement_clear(&a);
+    kg_chains_clear(&chains);
+    return status;
+}
+
+kg_status kg_trim_by(const kg_trim *trim, const kg_regions *regions, const kg_cut *cut,
+                     const kg_vec3 *keep, size_t keep_count, kg_regions *out_regions,
+                     kg_error *error) {
+    if (cut->crossings->count == 0)
+        return missed(cut, error);
+    kg_regions pieces = {0};
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < regions->count && !status; i++)
+        status = split_region(trim, &regions->items[i], cut, &pieces);
+    if (!status && pieces.count == regions->count) {
+        kg_trim_note note = {KG_NOTE_OUTSIDE, cut->source, cut->crossings->branches[0].points[0].x,
+                             0};
+        status = kg_trim_note_add(trim, note);
+    }
+    if (!status)
+        status = keep_nearest(trim->patch, &pieces, keep, keep_count);
+    return finish(status, &pieces, out_regions, error);
+}
+
+/* ---- several surfaces ------------------------------------------------------------------- */
+
+typedef struct wanted_cutters {
+    const kg_cut *cuts;
+    size_t count;
+} wanted_cutters;
+
+/* Borders every cutter and no side of the rectangle. */
+static bool is_enclosed(const kg_arrangement *a, size_t face, const void *user) {
+    const wanted_cutters *w = user;
+    size_t met = 0;
+    for (size_t k = 0; k < w->count; k++) {
+        bool found = false;
+        for (size_t i = 0; i < a->arc_count && !found; i++) {
+            const kg_arc *arc = &a->arcs[i];
+            const kg_chain *c = &a->chains->items[arc->chain];
+            found = !arc->dropped && (arc->face[0] == face || arc->face[1] == face) &&
+                    c->kind == KG_EDGE_CUT && c->source == w->cuts[k].source;
+        }
+        met += found;
+    }
+    if (met < w->count)
+        return false;
+    for (size_t i = 0; i < a->arc_count; i++) {
+        const kg_arc *arc = &a->arcs[i];
+        if (!arc->dropped && (arc->face[0] == face || arc->face[1] == face) &&
+            a->chains->items[arc->chain].kind == KG_EDGE_OUTLINE)
+            return false;
+    }
+    return true;
+}
+
+static kg_status enclosed_faces(const kg_trim *t, const kg_region *region, wanted_cutters wanted,
+                                kg_regions *faces) {
+    kg_chains chains = {0};
+    kg_status status = kg_region_chains(region, t->finder, &chains);
+    size_t outline = chains.count, before = faces->count;
+    for (size_t k = 0; k < wanted.count && !status; k++)
+        status = kg_cut_chains(t->patch, &wanted.cuts[k], &chains);
+    for (int attempt = 0; attempt < 2 && !status && faces->count == before; attempt++) {
+        kg_arrangement a = {0};
+        if (attempt > 0)
+            status = kg_cut_join(t, outline, &chains);
+        if (!status)
+            status = kg_arrangement_build(t->patch, &chains, &a);
+        if (!status)
+            status = add_faces(&a, is_enclosed, &wanted, faces);
+        kg_arrangement_clear(&a);
+    }
+    kg_chains_clear(&chains);
+    return status;
+}
+
+kg_status kg_trim_inside(const kg_trim *trim, const kg_regions *regions, const kg_cut *cuts,
+                         size_t cut_count, const kg_vec3 *keep, size_t keep_count,
+                         kg_regions *out_regions, kg_error *error) {
+    for (size_t k = 0; k < cut_count; k++)
+        if (cuts[k].crossings->count == 0)
+            return missed(&cuts[k], error);
+    kg_regions faces = {0};
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < regions->count && !status; i++)
+        status =
+            enclosed_faces(trim, &regions->items[i], (wanted_cutters){cuts, cut_count}, &faces);
+    if (!status && faces.count == 0)
+        status = kg_fail(error, KG_ERR_INPUT,
+                         "its %zu cutters do not enclose a piece of it; let neighbouring cutters "
+                         "cross on it",
+                         cut_count);
+    if (!status && faces.count > 1 && keep_count == 0)
+        status = kg_fail(error, KG_ERR_INPUT,
+                         "its cutters enclose %zu pieces; name one with a point near it (\"keep\")",
+                         faces.count);
+    if (!status)
+        status = keep_nearest(trim->patch, &faces, keep, keep_count);
+    return finish(status, &faces, out_regions, error);
+}
+
+/* ---- contours --------------------------------------------------------------------------- */
+
+static bool sides_cross(kg_vec2 a, kg_vec2 b, kg_vec2 c, kg_vec2 d) {
+    kg_vec2 ab = kg_sub2(b, a), cd = kg_sub2(d, c);
+    double c1 = kg_cross2(ab, kg_sub2(c, a)), c2 = kg_cross2(ab, kg_sub2(d, a));
+    double a1 = kg_cross2(cd, kg_sub2(a, c)), a2 = kg_cross2(cd, kg_sub2(b, c));
+    return ((c1 > 0) != (c2 > 0)) && ((a1 > 0) != (a2 > 0)) && (c1 != 0 || c2 != 0);
+}
+
+static kg_status check_contour(const kg_vec2 *p, size_t n, kg_error *error) {
+    double area = 0, reach = 0;
+    if (n < 3)
+        return kg_fail(error, KG_ERR_INPUT, "its contour has %zu corners; draw at least 3", n);
+    for (size_t i = 0; i < n; i++) {
+        if (!(fabs(p[i].x) <= KG_MAX_COORDINATE && fabs(p[i].y) <= KG_MAX_COORDINATE))
+            return kg_fail(error, KG_ERR_INPUT, "corner %zu of its contour is beyond 1e6", i + 1);
+        kg_vec2 a = kg_sub2(p[i], p[0]), b = kg_sub2(p[(i + 1) % n], p[0]);
+        area += kg_cross2(a, b);
+        reach = fmax(reach, fabs(a.x) * fabs(b.y) + fabs(a.y) * fabs(b.x));
+    }
+    if (!(fabs(area) > 1e-12 * reach))
+        return kg_fail(error, KG_ERR_INPUT, "its contour encloses no area; move its corners apart");
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = i + 2; j < n; j++)
+            if (!(i == 0 && j == n - 1) && sides_cross(p[i], p[i + 1], p[j], p[(j + 1) % n]))
+                return kg_fail(error, KG_ERR_INPUT,
+                               "its contour crosses itself (sides %zu and %zu); move its corners",
+                               i + 1, j + 1);
+    return KG_OK;
+}
+
+static kg_status contour_chain(const kg_trim *t, const kg_vec2 *polygon, size_t n, int64_t source,
+                               kg_chains *chains) {
+    kg_points points = {0};
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < n && !status; i++)
+        if (polygon[i].x != polygon[(i + 1) % n].x || polygon[i].y != polygon[(i + 1) % n].y)
+            status = kg_sample_straight(t->patch, polygon[i], polygon[(i + 1) % n], t->tolerance,
+                                        &points);
+    kg_cross_point first = status ? (kg_cross_point){0} : points.items[0];
+    if (!status && !kg_push(&points, first))
+        status = KG_ERR_MEMORY;
+    if (status) {
+        free(points.items);
+        return status;
+    }
+    return kg_chains_add(chains, (kg_chain){.kind = KG_EDGE_CONTOUR,
+                                            .source = source,
+                                            .labels = KG_LABEL_CONTOUR,
+                                            .closed = true,
+                                            .count = points.count,
+                                            .points = points.items});
+}
+
+static bool has_contour_side(const kg_arrangement *a, size_t face, const void *user) {
+    const bool *inside = user;
+    return ((a->labels[face] & KG_LABEL_CONTOUR) != 0) == *inside;
+}
+
+kg_status kg_trim_contour(const kg_trim *trim, const kg_regions *regions, const kg_vec2 *polygon,
+                          size_t corner_count, bool inside, int64_t source, kg_regions *out_regions,
+                          kg_error *error) {
+    kg_regions pieces = {0};
+    kg_status status = check_contour(polygon, corner_count, error);
+    for (size_t i = 0; i < regions->count && !status; i++) {
+        kg_chains chains = {0};
+        kg_arrangement a = {0};
+        status = kg_region_chains(&regions->items[i], trim->finder, &chains);
+        if (!status)
+            status = contour_chain(trim, polygon, corner_count, source, &chains);
+        if (!status)
+            status = kg_arrangement_build(trim->patch, &chains, &a);
+        if (!status)
+            status = add_faces(&a, has_contour_side, &inside, &pieces);
+        kg_arrangement_clear(&a);
+        kg_chains_clear(&chains);
+    }
+    if (!status && pieces.count == 0)
+        status = kg_fail(error, KG_ERR_INPUT,
+                         inside ? "its contour lies wholly outside what is left of it"
+                                : "its contour takes away all that is left of it");
+    return finish(status, &pieces, out_regions, error);
+}
