@@ -7,6 +7,9 @@
  * over any extent: they are parallel. */
 #define PARALLEL 1e-10
 
+/* Of the size, and of v and t: a tenth of the exactness that points are promised. */
+#define SLACK 1e-10
+
 /* ---- order ----------------------------------------------------------------------------- */
 
 static int compare_vectors(kg_vec3 a, kg_vec3 b) {
@@ -87,7 +90,7 @@ static kg_status find_general(kg_strips *a, kg_strips *b, double tolerance, kg_c
     kg_topology topology;
     if (!kg_topology_find(a, b, &topology))
         return kg_fail(error, KG_ERR_MEMORY, "not enough memory for the crossings");
-    kg_pair pair = {a->ruled, b->ruled, tolerance, 1e-10 * a->ruled.size};
+    kg_pair pair = {a->ruled, b->ruled, tolerance, SLACK};
     kg_status status = KG_OK;
     if (topology.crowded && coincide(&pair, &topology))
         status = kg_fail_coincident(error);
@@ -114,7 +117,7 @@ static kg_status find(const kg_patch *a, const kg_patch *b, double tolerance, kg
     else if (kg_strips_apart(&sa, 0, &sb, 0))
         status = KG_OK;
     else if (parallel(a, b)) {
-        kg_pair pair = {sa.ruled, sb.ruled, tolerance, 1e-10 * size};
+        kg_pair pair = {sa.ruled, sb.ruled, tolerance, SLACK};
         status = kg_parallel_find(&pair, out, error);
     } else
         status = find_general(&sa, &sb, tolerance, out, error);

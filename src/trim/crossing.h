@@ -138,7 +138,7 @@ typedef struct kg_sample {
 typedef struct kg_pair {
     kg_ruled a, b;
     double tolerance;
-    double slack; /* mm, u and s within this of a side are on it */
+    double slack; /* v, t, and u, s by the size: what is within this of a side is on it */
 } kg_pair;
 
 /* The point of two lines at (v,t), where F = 0; its tangent runs in the direction of growing v

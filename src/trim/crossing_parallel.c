@@ -183,7 +183,7 @@ kg_status kg_parallel_find(const kg_pair *pair, kg_crossings *out, kg_error *err
 }
 
 bool kg_shared_ruling(const kg_pair *pair, double v, double t, kg_crossings *out) {
-    const double slack = 1e-9;
+    const double slack = 1e-9, slack_mm = pair->slack * pair->a.size;
     if (!(v >= -slack && v <= 1 + slack && t >= -slack && t <= 1 + slack))
         return true;
     v = fmin(fmax(v, 0), 1), t = fmin(fmax(t, 0), 1);
@@ -204,7 +204,7 @@ bool kg_shared_ruling(const kg_pair *pair, double v, double t, kg_crossings *out
     double from = offset + fmin(sign * ub[0], sign * ub[1]);
     double to = offset + fmax(sign * ub[0], sign * ub[1]);
     double u[2] = {fmax(ua[0], from), fmin(ua[1], to)};
-    if (u[1] - u[0] <= pair->slack)
+    if (u[1] - u[0] <= slack_mm)
         return true;
     kg_sample ends[2] = {0};
     for (int k = 0; k < 2; k++) {
@@ -212,7 +212,7 @@ bool kg_shared_ruling(const kg_pair *pair, double v, double t, kg_crossings *out
         double s = sign * (u[k] - offset);
         if (u[k] == (k ? to : from))
             s = k == (sign > 0) ? ub[1] : ub[0];
-        s = fabs(s - ub[0]) <= pair->slack ? ub[0] : fabs(s - ub[1]) <= pair->slack ? ub[1] : s;
+        s = fabs(s - ub[0]) <= slack_mm ? ub[0] : fabs(s - ub[1]) <= slack_mm ? ub[1] : s;
         *at = (kg_cross_point){u[k], v, s, t, kg_add(kg_madd(a.p, u[k], da), pair->a.origin)};
     }
     return kg_crossings_add(out, pair, ends, 2, false);

@@ -1,9 +1,6 @@
 /* Single points of a crossing: two rulings that meet, and the curve's tangent there. */
 #include "trim/crossing.h"
 
-/* v and t within this of 0 or 1 are on the side. */
-#define SIDE_SLACK 1e-10
-
 /* Value and derivative of a Bernstein polynomial from the two halves of the last de Casteljau
  * step, by Horner's scheme as kg_bernstein_eval3. */
 static void evaluate(const kg_vec3 *a, int n, double t, kg_vec3 *out_value, kg_vec3 *out_slope) {
@@ -70,8 +67,8 @@ static unsigned beyond(double x, const double side[2], unsigned lo) {
 static const double unit_side[2] = {0, 1};
 
 kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind kind, int direction) {
-    v = onto_side(v, unit_side, SIDE_SLACK);
-    t = onto_side(t, unit_side, SIDE_SLACK);
+    v = onto_side(v, unit_side, pair->slack);
+    t = onto_side(t, unit_side, pair->slack);
     kg_line a = kg_ruled_line(&pair->a, v), b = kg_ruled_line(&pair->b, t);
     kg_vec3 da, dda, db, ddb;
     kg_line_unit(&a, &da, &dda);
@@ -84,8 +81,8 @@ kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind ki
     const double *ua = pair->a.patch->extent, *ub = pair->b.patch->extent;
     kg_cross_point *at = &s.at;
     at->v = v, at->t = t;
-    at->u = onto_side(kg_dot(gap, to_u), ua, pair->slack);
-    at->s = onto_side(kg_dot(gap, to_s), ub, pair->slack);
+    at->u = onto_side(kg_dot(gap, to_u), ua, pair->slack * pair->a.size);
+    at->s = onto_side(kg_dot(gap, to_s), ub, pair->slack * pair->a.size);
     at->x = kg_add(kg_scale(kg_add(kg_madd(a.p, at->u, da), kg_madd(b.p, at->s, db)), 0.5),
                    pair->a.origin);
     s.out = beyond(at->u, ua, KG_SIDE_A_U_LO) | beyond(v, unit_side, KG_SIDE_A_V_LO) |

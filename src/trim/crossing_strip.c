@@ -102,6 +102,16 @@ bool kg_strips_apart(const kg_strips *a, int i, const kg_strips *b, int j) {
     return r[0] > t->along_normal[1] + gap || r[1] < t->along_normal[0] - gap;
 }
 
+/* De Casteljau's scheme beyond both ends of [0,1] (kg_bernstein_restrict3 only goes inside). */
+static void extend(kg_vec3 *a, int n, double lo, double hi) {
+    for (int k = 1; k <= n; k++)
+        for (int i = n; i >= k; i--)
+            a[i] = kg_lerp(a[i - 1], a[i], hi);
+    for (int k = 1; k <= n; k++)
+        for (int i = 0; i <= n - k; i++)
+            a[i] = kg_lerp(a[i], a[i + 1], lo / hi);
+}
+
 /* One root of a tree: Plücker coefficients with the origin moved, on the reach of the domain. */
 static void plant(const kg_ruled *ruled, kg_strip *s) {
     const kg_patch *patch = ruled->patch;
@@ -112,9 +122,9 @@ static void plant(const kg_ruled *ruled, kg_strip *s) {
     kg_bernstein_cross(patch->rulings, patch->ruling_degree, s->p, m, moment);
     kg_bernstein_elevate3(patch->rulings, patch->ruling_degree, n, r);
     s->lo = -REACH_LO, s->hi = 1 + REACH_HI;
-    kg_bernstein_restrict3(r, n, s->lo, s->hi);
-    kg_bernstein_restrict3(moment, n, s->lo, s->hi);
-    kg_bernstein_restrict3(s->p, m, s->lo, s->hi);
+    extend(r, n, s->lo, s->hi);
+    extend(moment, n, s->lo, s->hi);
+    extend(s->p, m, s->lo, s->hi);
     for (int i = 0; i <= n; i++) {
         s->c[0][i] = r[i].x, s->c[1][i] = r[i].y, s->c[2][i] = r[i].z;
         s->c[3][i] = moment[i].x, s->c[4][i] = moment[i].y, s->c[5][i] = moment[i].z;

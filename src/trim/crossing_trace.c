@@ -69,14 +69,13 @@ static kg_sample arc_point(const tracer *tr, double w, double guess) {
             hi = x;
         else
             lo = x;
-        double next = x - f / (over_v ? ft : fv);
-        if (!(next >= lo && next <= hi))
-            next = 0.5 * (lo + hi);
-        double step = fabs(next - x);
-        x = next;
+        double step = f / (over_v ? ft : fv), next = x - step;
         /* quadratic convergence: the error after this step is about its square */
-        if (step < 1e-8)
+        if (fabs(step) < 1e-8) {
+            x = next;
             break;
+        }
+        x = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
     }
     return kg_pair_sample(tr->pair, over_v ? w : x, over_v ? x : w, arc->kind, tr->direction);
 }
@@ -187,13 +186,17 @@ static bool emit(tracer *tr, const kg_sample *s, bool inside) {
  * coordinate is then exact. */
 static kg_sample side_point(const tracer *tr, const kg_sample *p, const kg_sample *q, int k,
                             double side) {
+    /* no slack here: it would stop the iteration early */
+    kg_pair exact = *tr->pair;
+    exact.slack = 0;
+    tracer strict = {.pair = &exact, .arc = tr->arc, .direction = tr->direction};
     kg_sample ends[2] = {*p, *q}, s = *p;
     double f0 = coordinate(&p->at, k) - side, f1 = coordinate(&q->at, k) - side;
     double w0 = parameter(tr, p), w1 = parameter(tr, q), w = w0 + (w1 - w0) * (f0 / (f0 - f1));
     for (int i = 0; i < 60; i++) {
         if (!(w > fmin(w0, w1) && w < fmax(w0, w1)))
             w = 0.5 * (w0 + w1);
-        s = between(tr, &ends[0], &ends[1], w);
+        s = between(&strict, &ends[0], &ends[1], w);
         double f = coordinate(&s.at, k) - side;
         if (f == 0)
             break;
