@@ -25,11 +25,7 @@ typedef struct kg_curve {
     kg_vec3 points[KG_CURVE_MAX_POINTS];
 } kg_curve;
 
-typedef enum kg_curve_shape {
-    KG_CURVE_STRAIGHT,
-    KG_CURVE_PLANAR,
-    KG_CURVE_SPATIAL
-} kg_curve_shape;
+typedef enum kg_curve_shape { KG_CURVE_STRAIGHT, KG_CURVE_PLANAR, KG_CURVE_SPATIAL } kg_curve_shape;
 
 /* Frenet frame. curvature in 1/mm, torsion in 1/mm. */
 typedef struct kg_frenet {
@@ -51,7 +47,8 @@ KG_API void kg_curve_derivatives(const kg_curve *curve, double v, int order, kg_
 /* The same curve on [v0, v1], exactly (de Casteljau). v0 < v1. */
 KG_API kg_curve kg_curve_segment(const kg_curve *curve, double v0, double v1);
 
-/* Arc length on [v0, v1], to 1e-13 relative (Gauss-Legendre on certified pieces); negative for v1 < v0. */
+/* Arc length on [v0, v1], to 1e-13 relative (Gauss-Legendre on pieces certified to converge);
+ * negative for v1 < v0. */
 KG_API double kg_curve_length(const kg_curve *curve, double v0, double v1);
 
 /* The v where the arc length from 0 is `length`, to 1e-12 of the whole; clamped to [0,1]. */

@@ -55,7 +55,8 @@ typedef struct kg_patch {
     kg_box3 box; /* contains every X(u,v) of the rectangle */
 
     /* Rulings: d = R/|R| with R a polynomial in Bernstein form on [0,1] that vanishes nowhere
-     * (degree 0 for straight and planar geodesics, where D may vanish or be noise). */
+     * (degree 0 for straight and planar geodesics, where D may vanish or be noise). The largest
+     * coefficient is a unit vector. kg_patch_ruling is more exact where |R| gets small. */
     int ruling_degree;
     kg_vec3 rulings[KG_DARBOUX_MAX_COUNT];
 
@@ -76,7 +77,9 @@ typedef struct kg_ruling {
 
 /* Prepares a patch.
  * KG_ERR_INPUT: as kg_curve_init; extent not finite or not lo < hi; an extent that lies wholly
- * beyond the edge of regression; a ruling wish parallel to its straight geodesic. */
+ * beyond the edge of regression, or leaves less than a millionth of the size between the edges; a
+ * ruling that runs along the geodesic (an inflection with twist that no surface goes through); a
+ * ruling wish parallel to its straight geodesic. */
 KG_API kg_status kg_patch_init(const kg_patch_input *input, kg_patch *out_patch,
                                kg_error *error) KG_CHECKED;
 

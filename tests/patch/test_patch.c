@@ -231,7 +231,35 @@ static void rulings_start_along_d_and_never_jump(void **state) {
     }
 }
 
-/* x = t, y = t³, z = c t³: bends to both sides of t = ½. */
+static void the_stored_polynomial_points_along_d(void **state) {
+    (void)state;
+    kg_random r = {9};
+    for (int round = 0; round < ROUNDS; round++) {
+        kg_patch p = random_patch(&r, round);
+        double v = kg_random_in(&r, 0, 1), largest = 0;
+        for (int i = 0; i <= p.ruling_degree; i++)
+            largest = fmax(largest, kg_len(p.rulings[i]));
+        assert_near(largest, 1, 1e-12);
+        kg_vec3 value = kg_bernstein_eval3(p.rulings, p.ruling_degree, v);
+        /* coefficients hold 1e-13 of the largest, which is 1 */
+        assert_near3(value, kg_scale(kg_patch_ruling(&p, v).d, kg_len(value)), 1e-13);
+    }
+}
+
+static void lengths_come_from_cells_as_exactly_as_from_the_start(void **state) {
+    (void)state;
+    kg_random r = {10};
+    for (int round = 0; round < ROUNDS; round++) {
+        kg_patch p = random_patch(&r, round);
+        double whole = kg_curve_length(&p.geodesic, 0, 1);
+        const double places[] = {0, 1, 0.5, 1.0 / 64, kg_random_in(&r, 0, 1)};
+        for (size_t i = 0; i < 5; i++)
+            assert_near(kg_patch_length(&p, places[i]), kg_curve_length(&p.geodesic, 0, places[i]),
+                        1e-13 * whole);
+    }
+}
+
+/* Bends to both sides of its middle. */
 static void a_planar_inflection_keeps_the_sign_of_its_start(void **state) {
     (void)state;
     const kg_vec3 left_first[4] = {{0, 0, 0}, {10, 10, 0}, {20, -10, 0}, {30, 0, 0}};
@@ -337,6 +365,8 @@ int main(void) {
         cmocka_unit_test(normals_are_unit_square_to_the_surface_and_turned_by_flip),
         cmocka_unit_test(the_paper_frame_is_not_mirrored_on_the_front),
         cmocka_unit_test(rulings_start_along_d_and_never_jump),
+        cmocka_unit_test(the_stored_polynomial_points_along_d),
+        cmocka_unit_test(lengths_come_from_cells_as_exactly_as_from_the_start),
         cmocka_unit_test(a_planar_inflection_keeps_the_sign_of_its_start),
         cmocka_unit_test(a_quintic_goes_through_a_twisted_inflection),
         cmocka_unit_test(a_twisted_inflection_survives_rounded_decimals),
