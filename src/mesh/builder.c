@@ -115,7 +115,7 @@ static void copy_faces(kg_mesh_builder *b, kg_mesh *mesh, uint32_t *last_face) {
         for (; group < b->groups.count && b->groups.items[group].first_face == f; group++)
             mesh->groups[group].first_face = mesh->face_count;
         size_t n = b->face_ends.items[f] - begin;
-        const int64_t *corners = b->corners.items + begin;
+        const int64_t *corners = n ? b->corners.items + begin : NULL;
         begin += n;
         if (!is_face(corners, n, (uint32_t)f + 1, last_face))
             continue;

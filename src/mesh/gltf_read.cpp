@@ -24,7 +24,7 @@ namespace {
 const int most_levels = 64;
 
 /* Nodes may repeat a mesh, so a small file can ask for any amount of memory. */
-const size_t most_corners = (size_t)1 << 26;
+const size_t most_corners = (size_t)1 << 25;
 
 struct failure {
     kg_status status;
@@ -287,7 +287,7 @@ class loader {
         add_vertices(position->second, f);
         auto normal = primitive.attributes.find("NORMAL");
         if (normal != primitive.attributes.end())
-            add_normals(normal->second, f);
+            add_normals(normal->second, b->positions.count - first, f);
         add_triangles(primitive, (int64_t)first, b->positions.count - first,
                       kg_det(f.x, f.y, f.z) < 0);
     }
@@ -304,7 +304,9 @@ class loader {
 
     /* By the cofactors of the frame, as kg_mesh_transform does. One that is missing or without a
      * direction leaves the builder without normals. */
-    void add_normals(int accessor, const frame &f) {
+    void add_normals(int accessor, size_t vertex_count, const frame &f) {
+        if (at(model.accessors, accessor, "accessor").count != vertex_count)
+            return;
         std::vector<double> p = read_accessor(model, accessor, TINYGLTF_TYPE_VEC3);
         kg_vec3 x = kg_cross(f.y, f.z), y = kg_cross(f.z, f.x), z = kg_cross(f.x, f.y);
         double sign = kg_det(f.x, f.y, f.z) < 0 ? -1 : 1;

@@ -239,6 +239,7 @@ static void bad_obj_lines_are_named(void **state) {
     refuse_text("v 0 0 1e999\n", KG_MESH_OBJ, "not a finite");
     refuse_text(QUAD, KG_MESH_OBJ, "no faces");
     refuse_text("", KG_MESH_OBJ, "no faces");
+    refuse_text(QUAD "f\n", KG_MESH_OBJ, "three different corners");
     refuse_text(QUAD "f 1 2\nf 1 2 2\n", KG_MESH_OBJ, "three different corners");
 }
 
