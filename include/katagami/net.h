@@ -178,6 +178,9 @@ typedef struct kg_net_options {
     bool landscape;   /* turns upright paper on its side */
     double margin;    /* mm kept free at every side of the page, >= 0 */
     double gap;       /* least distance between parts, mm, >= 0 */
+    bool nest;        /* by true outlines, which takes longer, instead of in rows; not without
+                         paper */
+    bool grain;       /* parts keep the direction of the paper's grain */
     double scale;     /* written size over true size, > 0 */
     double tolerance; /* mm a written line may be off the true one, > 0 */
     kg_net_labels labels;
@@ -226,10 +229,12 @@ typedef struct kg_net_layout {
     double fill; /* area of the parts over that of the pages within their margins */
 } kg_net_layout;
 
-/* Places every part of the net. Errors: KG_ERR_INPUT (an option out of its range; a part larger
- * than the page: names it, its size and what would help), KG_ERR_MEMORY. */
+/* Places every part of the net; `progress` (NULL: none) is called while nesting. Errors:
+ * KG_ERR_INPUT (an option out of its range; a part larger than the page: names it, its size and
+ * what would help), KG_ERR_CANCELLED, KG_ERR_MEMORY. */
 KG_API kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
-                                      kg_net_layout **out_layout, kg_error *error) KG_CHECKED;
+                                      const kg_progress *progress, kg_net_layout **out_layout,
+                                      kg_error *error) KG_CHECKED;
 KG_API void kg_net_layout_destroy(kg_net_layout *layout);
 
 /* ---- writing ---------------------------------------------------------------------------- */
@@ -257,7 +262,8 @@ KG_API kg_status kg_net_report(const kg_net *net, const kg_net_layout *layout,
 
 /* kg_net_layout_create and kg_net_draw in one; the layout goes to `out_layout` when that is not
  * NULL (the caller destroys it). */
-KG_API kg_status kg_net_write(const kg_net *net, const kg_net_options *options, const char *path,
+KG_API kg_status kg_net_write(const kg_net *net, const kg_net_options *options,
+                              const kg_progress *progress, const char *path,
                               kg_net_layout **out_layout, kg_error *error) KG_CHECKED;
 
 #ifdef __cplusplus

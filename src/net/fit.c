@@ -18,7 +18,10 @@
 /* Radians one cubic may turn: more it can rarely follow, and this keeps it free of loops. */
 #define GREATEST_TURN 2.4
 
-#define ITERATIONS 10
+#define ITERATIONS 8
+
+/* Knots that are enough to find two handle lengths. */
+#define SAMPLES 16
 
 typedef struct knot {
     kg_vec2 p;
@@ -49,10 +52,14 @@ static double chord_length(const fit *f, size_t i) {
     return kg_len2(chord(f, i));
 }
 
+static double unit_clamp(double t) {
+    return t < 0 ? 0 : t > 1 ? 1 : t;
+}
+
 static double segment_distance(kg_vec2 p, kg_vec2 a, kg_vec2 b) {
     kg_vec2 ab = kg_sub2(b, a), ap = kg_sub2(p, a);
     double len2 = kg_dot2(ab, ab), t = len2 > 0 ? kg_dot2(ap, ab) / len2 : 0;
-    return kg_dist2(p, kg_add2(a, kg_scale2(ab, fmin(fmax(t, 0), 1))));
+    return kg_dist2(p, kg_add2(a, kg_scale2(ab, unit_clamp(t))));
 }
 
 /* ---- preparing the knots ------------------------------------------------------------------ */
@@ -242,21 +249,23 @@ static double cubic_foot(const cubic *c, kg_vec2 q, double t) {
             break;
         /* Far from the curve the second derivative misleads; then the tangent alone is used. */
         double step = kg_dot2(r, v) / (slope > 0.3 * vv ? slope : vv);
-        t = fmin(fmax(t - step, 0), 1);
+        t = unit_clamp(t - step);
         if (fabs(step) < 1e-7)
             break;
     }
     return t;
 }
 
-/* Foot points of knots a..b; returns the greatest distance, infinity when they do not advance. */
-static double cubic_project(const fit *f, const cubic *c, size_t a, size_t b) {
+/* Foot points of every stride-th knot of a..b; returns the greatest distance, infinity when they do
+ * not advance. */
+static double cubic_project(const fit *f, const cubic *c, size_t a, size_t b, size_t stride) {
     double worst = 0;
-    for (size_t i = a + 1; i < b; i++) {
+    for (size_t i = a + stride; i < b; i += stride) {
         f->t[i] = cubic_foot(c, f->items[i].p, f->t[i]);
-        if (!(f->t[i] > f->t[i - 1]) || !(f->t[i] < 1))
+        if (!(f->t[i] > f->t[i - stride]) || !(f->t[i] < 1))
             return INFINITY;
-        worst = fmax(worst, kg_dist2(kg_bezier2(c->p, f->t[i]), f->items[i].p));
+        double d = kg_dist2(kg_bezier2(c->p, f->t[i]), f->items[i].p);
+        worst = d > worst ? d : worst;
     }
     return worst;
 }
@@ -269,16 +278,17 @@ static double cubic_stray(const fit *f, const cubic *c, size_t a, size_t b) {
         int samples = 1 + (int)(24 * (t1 - t0));
         for (int k = 1; k <= samples; k++) {
             kg_vec2 q = kg_bezier2(c->p, t0 + (t1 - t0) * k / (samples + 1));
-            worst = fmax(worst, segment_distance(q, f->items[i].p, f->items[i + 1].p));
+            double d = segment_distance(q, f->items[i].p, f->items[i + 1].p);
+            worst = d > worst ? d : worst;
         }
     }
     return worst;
 }
 
 /* One Gauss-Newton step for the handle lengths on the normal distances at the foot points. */
-static bool cubic_improve(const fit *f, cubic *c, size_t a, size_t b) {
+static bool cubic_improve(const fit *f, cubic *c, size_t a, size_t b, size_t stride) {
     double m00 = 0, m01 = 0, m11 = 0, r0 = 0, r1 = 0, weight = 0;
-    for (size_t i = a + 1; i < b; i++) {
+    for (size_t i = a + stride; i < b; i += stride) {
         double t = f->t[i], s = 1 - t, b1 = 3 * s * s * t, b2 = 3 * s * t * t;
         kg_vec2 v = cubic_speed(c, t);
         double n = kg_len2(v);
@@ -308,6 +318,16 @@ static bool cubic_improve(const fit *f, cubic *c, size_t a, size_t b) {
     return true;
 }
 
+/* Parameters of the knots between every stride-th one, in proportion to the length. */
+static void parameters_spread(const fit *f, size_t a, size_t b, size_t stride) {
+    const knot *k = f->items;
+    for (size_t lo = a; lo < b; lo += stride) {
+        size_t hi = lo + stride < b ? lo + stride : b;
+        for (size_t i = lo + 1; i < hi; i++)
+            f->t[i] = f->t[lo] + (f->t[hi] - f->t[lo]) * (k[i].s - k[lo].s) / (k[hi].s - k[lo].s);
+    }
+}
+
 /* A cubic along knots a..b of the section [first,last], within the tolerance; false when there is
  * none. */
 static bool cubic_fit(const fit *f, size_t a, size_t b, size_t first, size_t last, cubic *c) {
@@ -323,16 +343,23 @@ static bool cubic_fit(const fit *f, size_t a, size_t b, size_t first, size_t las
     cubic_set(c);
     for (size_t i = a; i <= b; i++)
         f->t[i] = (k[i].s - k[a].s) / length;
+    /* A part of the knots finds the handles, all of them decide. */
+    size_t stride = 1 + (b - a) / SAMPLES;
     double before = INFINITY;
     for (int i = 0; i < ITERATIONS; i++) {
-        double worst = cubic_project(f, c, a, b);
+        double worst = cubic_project(f, c, a, b, stride);
+        if (worst <= f->fit_tolerance && stride > 1) {
+            parameters_spread(f, a, b, stride);
+            stride = 1;
+            worst = cubic_project(f, c, a, b, stride);
+        }
         if (worst <= f->fit_tolerance && cubic_stray(f, c, a, b) <= f->fit_tolerance)
             return true;
         /* Steps that gain nothing any more will not arrive. */
-        if (!isfinite(worst) || (i > 2 && worst > 0.9 * before))
+        if (!isfinite(worst) || (i > 1 && worst > 0.8 * before))
             return false;
         before = worst;
-        if (!cubic_improve(f, c, a, b))
+        if (!cubic_improve(f, c, a, b, stride))
             return false;
     }
     return false;

@@ -1,25 +1,10 @@
-/*
- * Parts on pages in rows: each part is turned to its smallest bounding box, lying; the parts go
- * from the highest to the lowest into rows from left to right, and a row goes to the first page
- * with room for it.
- */
 #include "net/layout.h"
 
-#include "net/sheet.h"
+#include "net/nest.h"
+#include "net/shelf.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* A turn must save this share of the box's area to be worth leaving the part as its maker drew it.
- */
-#define TURN_GAIN 0.05
-
-typedef struct item {
-    size_t part;
-    double angle;
-    kg_box2 box; /* of the turned and scaled part */
-    kg_vec2 size;
-} item;
 
 static kg_vec2 turned(kg_vec2 p, double c, double s) {
     return kg_v2(c * p.x - s * p.y, s * p.x + c * p.y);
@@ -31,205 +16,85 @@ kg_vec2 kg_layout_apply(const kg_net_layout *layout, size_t part, kg_vec2 p) {
     return kg_add2(turned(kg_scale2(p, layout->scale), c, s), place->offset);
 }
 
-static kg_box2 part_box(const kg_net_part *part, double scale, double angle) {
-    kg_box2 box = kg_box2_empty();
-    double c = cos(angle), s = sin(angle);
-    for (size_t i = 0; i < part->loop_count; i++) {
-        const kg_net_line *line = &part->loops[i].line;
-        for (size_t k = 0; k < line->count; k++)
-            kg_box2_add(&box, turned(kg_scale2(line->points[k], scale), c, s));
+/* ---- nesting --------------------------------------------------------------------------------- */
+
+/* The net's parts in written size, as nesting wants them. */
+typedef struct shapes {
+    kg_nest_part *parts;
+    kg_nest_loop *loops;
+    kg_vec2 *points;
+    kg_nest_place *places;
+} shapes;
+
+static void shapes_clear(shapes *s) {
+    free(s->parts);
+    free(s->loops);
+    free(s->points);
+    free(s->places);
+}
+
+static bool shapes_create(const kg_net *net, double scale, shapes *out) {
+    size_t loops = 0, points = 0;
+    for (size_t i = 0; i < net->part_count; i++) {
+        loops += net->parts[i].loop_count;
+        for (size_t k = 0; k < net->parts[i].loop_count; k++)
+            points += net->parts[i].loops[k].line.count;
     }
-    return box;
-}
-
-static int by_x_then_y(const void *a, const void *b) {
-    const kg_vec2 *p = a, *q = b;
-    if (p->x != q->x)
-        return p->x < q->x ? -1 : 1;
-    return p->y < q->y ? -1 : p->y > q->y;
-}
-
-/* Convex hull of the outer contour (Andrew's monotone chain); the caller frees it. */
-static kg_vec2 *hull(const kg_net_line *line, size_t *out_count) {
-    kg_vec2 *sorted = calloc(3 * line->count + 1, sizeof *sorted);
-    if (!sorted)
-        return NULL;
-    memcpy(sorted + 2 * line->count, line->points, line->count * sizeof *sorted);
-    kg_vec2 *p = sorted + 2 * line->count;
-    qsort(p, line->count, sizeof *p, by_x_then_y);
-    size_t n = 0, lower = 0;
-    for (size_t pass = 0; pass < 2; pass++) {
-        for (size_t k = 0; k < line->count; k++) {
-            kg_vec2 q = p[pass == 0 ? k : line->count - 1 - k];
-            while (n >= lower + 2 &&
-                   kg_cross2(kg_sub2(sorted[n - 1], sorted[n - 2]), kg_sub2(q, sorted[n - 1])) <= 0)
-                n--;
-            sorted[n++] = q;
-        }
-        lower = --n;
-    }
-    *out_count = n;
-    return sorted;
-}
-
-static bool fits(kg_vec2 size, kg_vec2 room) {
-    /* A part exactly as large as the page fits whatever rounding its rotation took. */
-    const double slack = 1e-6;
-    return size.x <= room.x + slack && size.y <= room.y + slack;
-}
-
-/* The turn with the smallest bounding box that fits `room`, among none, a quarter and every hull
- * edge laid along x or y. */
-static bool item_turn(const kg_net_part *part, double scale, kg_vec2 room, item *it) {
-    size_t edges = 0;
-    kg_vec2 *points = hull(&part->loops[0].line, &edges);
-    if (!points)
+    shapes s = {calloc(net->part_count, sizeof *s.parts), calloc(loops, sizeof *s.loops),
+                calloc(points, sizeof *s.points), calloc(net->part_count, sizeof *s.places)};
+    if (!s.parts || !s.loops || !s.points || !s.places) {
+        shapes_clear(&s);
         return false;
-    double best = INFINITY;
-    for (size_t k = 0; k < 2 * (edges + 1); k++) {
-        double angle = k % 2 == 1 ? acos(0) : 0;
-        if (k >= 2) {
-            kg_vec2 e = kg_sub2(points[k / 2 % edges], points[k / 2 - 1]);
-            angle -= atan2(e.y, e.x);
-        }
-        kg_box2 box = kg_box2_empty();
-        double c = cos(angle), s = sin(angle);
-        for (size_t i = 0; i < edges; i++)
-            kg_box2_add(&box, turned(kg_scale2(points[i], scale), c, s));
-        kg_vec2 size = kg_sub2(box.hi, box.lo);
-        /* What does not fit comes after all that does; lying comes before upright. */
-        double cost = size.x * size.y * (k > 0 ? 1 + TURN_GAIN : 1) * (size.y > size.x ? 1.01 : 1);
-        if (!fits(size, room))
-            cost += 1e12 + 1e6 * fmax(size.x - room.x, size.y - room.y);
-        if (cost < best - 1e-9) {
-            best = cost;
-            it->angle = angle;
+    }
+    kg_nest_loop *loop = s.loops;
+    kg_vec2 *point = s.points;
+    for (size_t i = 0; i < net->part_count; i++) {
+        const kg_net_part *part = &net->parts[i];
+        s.parts[i] = (kg_nest_part){.loops = loop, .loop_count = part->loop_count};
+        for (size_t k = 0; k < part->loop_count; k++, loop++) {
+            const kg_net_line *line = &part->loops[k].line;
+            *loop = (kg_nest_loop){point, line->count};
+            for (size_t j = 0; j < line->count; j++)
+                *point++ = kg_scale2(line->points[j], scale);
         }
     }
-    free(points);
-    it->box = part_box(part, scale, it->angle);
-    it->size = kg_sub2(it->box.hi, it->box.lo);
+    *out = s;
     return true;
 }
 
-static int by_height(const void *a, const void *b) {
-    const item *p = a, *q = b;
-    if (p->size.y != q->size.y)
-        return p->size.y > q->size.y ? -1 : 1;
-    return p->part < q->part ? -1 : p->part > q->part;
-}
-
-static kg_status too_large(const kg_net_part *part, const item *it, const kg_sheet *sheet,
-                           kg_error *error) {
-    double factor =
-        fmin(sheet->usable.x / fmax(it->size.x, 1e-9), sheet->usable.y / fmax(it->size.y, 1e-9));
-    return kg_fail(
-        error, KG_ERR_INPUT,
-        "part %d%s%s%s is %.1f x %.1f mm, more than the %.1f x %.1f mm a page has within "
-        "its margins; use larger paper, or scale the net by %.2f or less",
-        part->number, *part->name ? " (" : "", part->name, *part->name ? ")" : "", it->size.x,
-        it->size.y, sheet->usable.x, sheet->usable.y, floor(factor * 100) / 100);
-}
-
-/* True when the box lies on one of the page's forbidden rectangles. */
-static bool forbidden(const kg_sheet *sheet, kg_vec2 at, kg_vec2 size, double gap) {
-    for (int i = 0; i < sheet->forbidden_count; i++) {
-        const kg_box2 *f = &sheet->forbidden[i];
-        if (at.x < f->hi.x + gap && at.x + size.x > f->lo.x - gap && at.y < f->hi.y + gap &&
-            at.y + size.y > f->lo.y - gap)
-            return true;
-    }
-    return false;
-}
-
-typedef struct row {
-    int page;
-    double y, height, x; /* x: where the next part may begin */
-} row;
-
-typedef struct shelves {
-    const kg_sheet *sheet;
-    double gap;
-    row *rows; /* room for one per part */
-    size_t row_count;
-    int page_count;
-    double page_y; /* where the next row of the last page may begin */
-} shelves;
-
-/* The place of a part: in the first row with room, else in a new row, else on a new page. Forbidden
- * rectangles are stepped over in small steps. */
-static bool shelves_place(shelves *s, const item *it, int *out_page, kg_vec2 *out_at) {
-    const double step = 1;
-    const kg_vec2 room = s->sheet->usable;
-    for (size_t i = 0; i < s->row_count; i++) {
-        row *r = &s->rows[i];
-        if (r->height < it->size.y)
-            continue;
-        for (double x = r->x; x + it->size.x <= room.x + 1e-6; x += step) {
-            kg_vec2 at = kg_v2(x, r->y);
-            if (!forbidden(s->sheet, at, it->size, s->gap)) {
-                r->x = x + it->size.x + s->gap;
-                *out_page = r->page;
-                *out_at = at;
-                return true;
-            }
+static kg_status nest(const kg_net *net, const kg_net_options *options, const kg_sheet *sheet,
+                      const kg_progress *progress, kg_net_layout *layout, kg_error *error) {
+    shapes s;
+    if (!shapes_create(net, options->scale, &s))
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
+    kg_nest_options o = kg_nest_options_default();
+    o.width = sheet->usable.x;
+    o.height = sheet->usable.y;
+    o.spacing = options->gap;
+    o.turn = options->grain ? KG_NEST_HALF_TURN : KG_NEST_FREE;
+    o.forbidden_count = (size_t)sheet->forbidden_count;
+    o.forbidden = sheet->forbidden;
+    kg_status status = kg_nest(s.parts, net->part_count, &o, progress, s.places, error);
+    for (size_t i = 0; status == KG_OK && i < net->part_count; i++) {
+        const kg_nest_place *place = &s.places[i];
+        if (place->page < 0) {
+            status = kg_shelf_refuse(&net->parts[i], options, sheet, error);
+            break;
         }
+        layout->placements[i] =
+            (kg_net_placement){place->page, place->angle, kg_add2(place->offset, sheet->origin)};
+        if (layout->page_count < (size_t)place->page + 1)
+            layout->page_count = (size_t)place->page + 1;
     }
-    for (int attempt = 0; attempt < 2; attempt++) {
-        for (double y = s->page_y; s->page_count > 0 && y + it->size.y <= room.y + 1e-6;
-             y += step) {
-            for (double x = 0; x + it->size.x <= room.x + 1e-6; x += step) {
-                kg_vec2 at = kg_v2(x, y);
-                if (!forbidden(s->sheet, at, it->size, s->gap)) {
-                    s->rows[s->row_count++] =
-                        (row){s->page_count - 1, y, it->size.y, x + it->size.x + s->gap};
-                    s->page_y = y + it->size.y + s->gap;
-                    *out_page = s->page_count - 1;
-                    *out_at = at;
-                    return true;
-                }
-                if (s->sheet->forbidden_count == 0)
-                    break;
-            }
-            if (s->sheet->forbidden_count == 0)
-                break;
-        }
-        s->page_count++;
-        s->page_y = 0;
-    }
-    return false;
+    shapes_clear(&s);
+    return status;
 }
 
-static kg_status place_all(const kg_net *net, const kg_sheet *sheet, const kg_net_options *options,
-                           item *items, row *rows, kg_net_layout *layout, kg_error *error) {
-    shelves s = {.sheet = sheet, .gap = options->gap, .rows = rows};
-    for (size_t i = 0; i < net->part_count; i++) {
-        const item *it = &items[i];
-        int page;
-        kg_vec2 at;
-        if (!fits(it->size, sheet->usable) || !shelves_place(&s, it, &page, &at))
-            return too_large(&net->parts[it->part], it, sheet, error);
-        layout->placements[it->part] =
-            (kg_net_placement){page, it->angle, kg_add2(sheet->origin, kg_sub2(at, it->box.lo))};
-    }
-    layout->page_count = (size_t)s.page_count;
-    return KG_OK;
-}
+/* ---- layout ---------------------------------------------------------------------------------- */
 
-/* One page as large as the parts: rows of about a square, then the page cut to what they take. */
-static void endless_room(const item *items, size_t count, double gap, kg_sheet *sheet) {
-    double area = 0, width = 0, height = 0;
-    for (size_t i = 0; i < count; i++) {
-        area += (items[i].size.x + gap) * (items[i].size.y + gap);
-        width = fmax(width, items[i].size.x);
-        height += items[i].size.y + gap;
-    }
-    sheet->usable = kg_v2(fmax(width, 1.2 * sqrt(area)), height + 1);
-}
-
-/* A fitted curve may bulge over the box of its points by the tolerance; what is all corners keeps
- * its corner at the page's. */
-static double endless_rim(const kg_net *net, double tolerance) {
+/* A fitted curve may bulge over the box of its points by the tolerance; what is all corners may lie
+ * at the very edge of the page. */
+static double rim_of(const kg_net *net, double tolerance) {
     for (size_t i = 0; i < net->part_count; i++)
         for (size_t k = 0; k < net->parts[i].loop_count; k++) {
             const kg_net_line *line = &net->parts[i].loops[k].line;
@@ -239,13 +104,11 @@ static double endless_rim(const kg_net *net, double tolerance) {
     return 0;
 }
 
-static void endless_cut(const item *items, size_t count, double rim, kg_net_layout *layout) {
-    kg_vec2 size = {0, 0};
-    for (size_t i = 0; i < count; i++) {
-        kg_vec2 corner = kg_add2(items[i].box.hi, layout->placements[items[i].part].offset);
-        size = kg_v2(fmax(size.x, corner.x + rim), fmax(size.y, corner.y + rim));
-    }
-    layout->page_size = size;
+/* Makes sure that the sheet's margin is no less than the rim. */
+static void sheet_keep_rim(kg_sheet *sheet, double rim) {
+    double more = fmax(rim - sheet->origin.x, 0);
+    sheet->origin = kg_add2(sheet->origin, kg_v2(more, more));
+    sheet->usable = kg_sub2(sheet->usable, kg_v2(2 * more, 2 * more));
 }
 
 static void layout_fill(const kg_net *net, const kg_sheet *sheet, kg_net_layout *layout) {
@@ -257,57 +120,35 @@ static void layout_fill(const kg_net *net, const kg_sheet *sheet, kg_net_layout 
     layout->fill = pages > 0 ? area / pages : 0;
 }
 
-static kg_status layout_run(const kg_net *net, const kg_net_options *options, kg_sheet *sheet,
-                            item *items, kg_net_layout *layout, kg_error *error) {
-    kg_vec2 any = {1e9, 1e9};
-    for (size_t i = 0; i < net->part_count; i++) {
-        items[i].part = i;
-        if (!item_turn(&net->parts[i], options->scale, sheet->endless ? any : sheet->usable,
-                       &items[i]))
-            return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
-    }
-    qsort(items, net->part_count, sizeof *items, by_height);
-    double rim = endless_rim(net, options->tolerance);
-    if (sheet->endless) {
-        endless_room(items, net->part_count, options->gap, sheet);
-        sheet->origin = kg_v2(rim, rim);
-    }
-    row *rows = calloc(net->part_count + 1, sizeof *rows);
-    if (!rows)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
-    kg_status status = place_all(net, sheet, options, items, rows, layout, error);
-    free(rows);
-    if (status == KG_OK && sheet->endless)
-        endless_cut(items, net->part_count, rim, layout);
-    if (status == KG_OK)
-        layout_fill(net, sheet, layout);
-    return status;
-}
-
 kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
-                               kg_net_layout **out_layout, kg_error *error) {
+                               const kg_progress *progress, kg_net_layout **out_layout,
+                               kg_error *error) {
     kg_sheet sheet;
     kg_status status = kg_sheet_from_options(options, &sheet, error);
     if (status)
         return status;
     kg_net_layout *layout = calloc(1, sizeof *layout);
-    item *items = calloc(net->part_count + 1, sizeof *items);
     if (layout)
         layout->placements = calloc(net->part_count + 1, sizeof *layout->placements);
-    if (!layout || !items || !layout->placements) {
-        status = kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
-    } else {
-        layout->page_size = sheet.size;
-        layout->part_count = net->part_count;
-        layout->scale = options->scale;
-        status = layout_run(net, options, &sheet, items, layout, error);
-    }
-    free(items);
-    if (status)
+    if (!layout || !layout->placements) {
         kg_net_layout_destroy(layout);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
+    }
+    sheet_keep_rim(&sheet, rim_of(net, options->tolerance));
+    layout->page_size = sheet.size;
+    layout->part_count = net->part_count;
+    layout->scale = options->scale;
+    if (options->nest && !sheet.endless && net->part_count > 0)
+        status = nest(net, options, &sheet, progress, layout, error);
     else
-        *out_layout = layout;
-    return status;
+        status = kg_shelf_place(net, options, &sheet, layout, error);
+    if (status) {
+        kg_net_layout_destroy(layout);
+        return status;
+    }
+    layout_fill(net, &sheet, layout);
+    *out_layout = layout;
+    return KG_OK;
 }
 
 void kg_net_layout_destroy(kg_net_layout *layout) {

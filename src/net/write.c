@@ -139,10 +139,11 @@ kg_status kg_net_draw(const kg_net *net, const kg_net_layout *layout, const kg_n
     return status;
 }
 
-kg_status kg_net_write(const kg_net *net, const kg_net_options *options, const char *path,
-                       kg_net_layout **out_layout, kg_error *error) {
+kg_status kg_net_write(const kg_net *net, const kg_net_options *options,
+                       const kg_progress *progress, const char *path, kg_net_layout **out_layout,
+                       kg_error *error) {
     kg_net_layout *layout;
-    kg_status status = kg_net_layout_create(net, options, &layout, error);
+    kg_status status = kg_net_layout_create(net, options, progress, &layout, error);
     if (status)
         return status;
     status = kg_net_draw(net, layout, options, path, error);

@@ -32,7 +32,7 @@ static char *net_text(const kg_net *net, const kg_net_options *options, const ch
     char *text;
     size_t size;
     kg_error error;
-    if (kg_net_write(net, options, sample_path(name), NULL, &error))
+    if (kg_net_write(net, options, NULL, sample_path(name), NULL, &error))
         fail_msg("%s", error.message);
     assert_int_equal(kg_file_read(sample_path(name), &text, &size, NULL), KG_OK);
     return text;
@@ -107,7 +107,7 @@ static void contours_come_back_closed_unmirrored_and_true(void **state) {
     kg_net *net = sample_net(0);
     kg_net_options options = kg_net_options_default();
     kg_net_layout *layout;
-    assert_int_equal(kg_net_layout_create(net, &options, &layout, NULL), KG_OK);
+    assert_int_equal(kg_net_layout_create(net, &options, NULL, &layout, NULL), KG_OK);
     char *text = net_text(net, &options, "a.dxf");
     int count = shapes_read(text, shapes, 64), cuts = 0, valleys = 0;
     for (int i = 0; i < count; i++) {

@@ -6,7 +6,7 @@ static char *net_bytes(const kg_net *net, const kg_net_options *options, const c
                        size_t *out_size) {
     char *data;
     kg_error error;
-    if (kg_net_write(net, options, sample_path(name), NULL, &error))
+    if (kg_net_write(net, options, NULL, sample_path(name), NULL, &error))
         fail_msg("%s", error.message);
     assert_int_equal(kg_file_read(sample_path(name), &data, out_size, NULL), KG_OK);
     return data;

@@ -15,7 +15,7 @@ static void report_holds_what_formats_promise(void **state) {
     assert_int_equal(kg_net_add_line(net, 1, &tab, NULL, NULL), KG_OK);
     kg_net_options options = kg_net_options_default();
     kg_net_layout *layout;
-    assert_int_equal(kg_net_layout_create(net, &options, &layout, NULL), KG_OK);
+    assert_int_equal(kg_net_layout_create(net, &options, NULL, &layout, NULL), KG_OK);
     const kg_net_warning warning = {12, "end_inside", "patch 12: \"背\" ends inside"};
     char *text;
     assert_int_equal(kg_net_report(net, layout, &warning, 1, 0, &text, NULL), KG_OK);

@@ -133,7 +133,7 @@ static void page_holds_layers_closed_cuts_and_data(void **state) {
     kg_net_options options = kg_net_options_default();
     const char *path = sample_path("a.svg");
     kg_error error;
-    assert_int_equal(kg_net_write(net, &options, path, NULL, &error), KG_OK);
+    assert_int_equal(kg_net_write(net, &options, NULL, path, NULL, &error), KG_OK);
     page p = page_read(path);
     assert_string_at(&p, "/s:svg/@width", "210mm");
     assert_string_at(&p, "/s:svg/@height", "297mm");
@@ -167,7 +167,7 @@ static void without_paper_the_page_is_as_large_as_the_parts(void **state) {
     options.paper = kg_v2(0, 0);
     options.labels = KG_LABELS_NONE;
     const char *path = sample_path("none.svg");
-    assert_int_equal(kg_net_write(net, &options, path, NULL, NULL), KG_OK);
+    assert_int_equal(kg_net_write(net, &options, NULL, path, NULL, NULL), KG_OK);
     page p = page_read(path);
     assert_string_at(&p, "/s:svg/@viewBox", "0 0 75 30");
     assert_near(number(&p, "count(//s:g)"), 1, 0);
@@ -183,7 +183,8 @@ static void many_parts_go_to_numbered_pages_of_true_size(void **state) {
     options.paper = kg_v2(180, 140);
     options.scale = 0.9;
     kg_net_layout *layout;
-    assert_int_equal(kg_net_write(net, &options, sample_path("many.svg"), &layout, NULL), KG_OK);
+    assert_int_equal(kg_net_write(net, &options, NULL, sample_path("many.svg"), &layout, NULL),
+                     KG_OK);
     assert_true(layout->page_count > 1);
     double area = 0, expected = 0;
     int contours = 0;
@@ -211,7 +212,7 @@ static void the_same_net_gives_the_same_bytes(void **state) {
     size_t size[2];
     for (int i = 0; i < 2; i++) {
         const char *path = sample_path(i ? "twice-b.svg" : "twice-a.svg");
-        assert_int_equal(kg_net_write(net, &options, path, NULL, NULL), KG_OK);
+        assert_int_equal(kg_net_write(net, &options, NULL, path, NULL, NULL), KG_OK);
         assert_int_equal(kg_file_read(path, &text[i], &size[i], NULL), KG_OK);
     }
     assert_int_equal(size[0], size[1]);
@@ -227,7 +228,7 @@ static void a_part_larger_than_the_page_is_named_with_what_helps(void **state) {
     kg_net_options options = kg_net_options_default();
     options.paper = kg_v2(100, 80);
     kg_error error;
-    assert_int_equal(kg_net_write(net, &options, sample_path("large.svg"), NULL, &error),
+    assert_int_equal(kg_net_write(net, &options, NULL, sample_path("large.svg"), NULL, &error),
                      KG_ERR_INPUT);
     assert_non_null(strstr(error.message, "part 1 (胴体 body)"));
     assert_non_null(strstr(error.message, "scale"));
@@ -268,11 +269,12 @@ static void wrong_options_are_refused(void **state) {
             break;
         }
         kg_error error;
-        assert_int_equal(kg_net_write(net, &o, sample_path("bad.svg"), NULL, &error), KG_ERR_INPUT);
+        assert_int_equal(kg_net_write(net, &o, NULL, sample_path("bad.svg"), NULL, &error),
+                         KG_ERR_INPUT);
         assert_true(strlen(error.message) > 10);
     }
     kg_net_options o = good;
-    assert_int_equal(kg_net_write(net, &o, sample_path("bad.png"), NULL, NULL), KG_ERR_INPUT);
+    assert_int_equal(kg_net_write(net, &o, NULL, sample_path("bad.png"), NULL, NULL), KG_ERR_INPUT);
     assert_int_not_equal(access(sample_path("bad.svg"), F_OK), 0);
     kg_vec2 paper;
     assert_int_equal(kg_net_paper_parse("a3", &paper, NULL), KG_OK);
@@ -309,10 +311,10 @@ static void a_page_that_cannot_be_written_leaves_no_page(void **state) {
     char path[512];
     snprintf(path, sizeof path, "%s/x.svg", folder);
     kg_error error;
-    assert_int_equal(kg_net_write(net, &options, path, NULL, &error), KG_ERR_IO);
+    assert_int_equal(kg_net_write(net, &options, NULL, path, NULL, &error), KG_ERR_IO);
     assert_int_equal(files_in(folder), 1);
     snprintf(path, sizeof path, "%s/missing/x.svg", folder);
-    assert_int_equal(kg_net_write(net, &options, path, NULL, &error), KG_ERR_IO);
+    assert_int_equal(kg_net_write(net, &options, NULL, path, NULL, &error), KG_ERR_IO);
     assert_int_equal(files_in(folder), 1);
     kg_net_destroy(net);
 }
