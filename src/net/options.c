@@ -18,17 +18,20 @@ kg_net_options kg_net_options_default(void) {
 }
 
 void kg_net_options_preset(kg_net_options *options, kg_net_preset preset) {
-    /* Cutters tell operations apart by pure colours and cut whatever is no hairline twice. */
+    /* Laser cutters tell operations apart by pure colours, and follow a line instead of engraving
+     * its width when it is no wider than a thousandth of an inch. */
     static const kg_net_style print[KG_LAYER_COUNT] = {
         [KG_LAYER_CUT] = {0x000000, 0.2},    [KG_LAYER_MOUNTAIN] = {0xe4003a, 0.2},
         [KG_LAYER_VALLEY] = {0x0057b8, 0.2}, [KG_LAYER_MARK] = {0x808080, 0.15},
         [KG_LAYER_LABEL] = {0x404040, 0.1},  [KG_LAYER_GUIDE] = {0xa0a0a0, 0.15}};
     static const kg_net_style cutter[KG_LAYER_COUNT] = {
-        [KG_LAYER_CUT] = {0xff0000, 0.01},    [KG_LAYER_MOUNTAIN] = {0x0000ff, 0.01},
-        [KG_LAYER_VALLEY] = {0x00ff00, 0.01}, [KG_LAYER_MARK] = {0xff00ff, 0.01},
-        [KG_LAYER_LABEL] = {0x000000, 0.01},  [KG_LAYER_GUIDE] = {0x000000, 0.01}};
+        [KG_LAYER_CUT] = {0xff0000, 0.025},    [KG_LAYER_MOUNTAIN] = {0x0000ff, 0.025},
+        [KG_LAYER_VALLEY] = {0x00ff00, 0.025}, [KG_LAYER_MARK] = {0xff00ff, 0.025},
+        [KG_LAYER_LABEL] = {0x000000, 0.025},  [KG_LAYER_GUIDE] = {0x000000, 0.025}};
     bool printed = preset == KG_PRESET_PRINT || preset == KG_PRESET_SILHOUETTE;
     memcpy(options->styles, preset == KG_PRESET_LASER ? cutter : print, sizeof print);
+    if (preset == KG_PRESET_SILHOUETTE) /* its camera looks for black */
+        options->styles[KG_LAYER_GUIDE].colour = 0x000000;
     options->text_outlines = preset != KG_PRESET_PRINT;
     options->registration = preset == KG_PRESET_SILHOUETTE;
     options->dashes = printed;

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,18 @@ static void outputs_clear(outputs *all) {
     free(all->items);
 }
 
+static kg_status output_prepare(output *o, kg_error *error) {
+    kg_status status = kg_file_temporary(o->path, &o->temporary, error);
+    if (status)
+        return status;
+    FILE *f = fopen(o->temporary, "wb");
+    bool done = f && fwrite(o->bytes.items, 1, o->bytes.count, f) == o->bytes.count;
+    if (f && fclose(f) != 0)
+        done = false;
+    return done ? KG_OK
+                : kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", o->path, strerror(errno));
+}
+
 /* Writes every file beside its place, then moves them all there; when one cannot be written, none
  * stays. */
 static kg_status outputs_write(outputs *all, kg_error *error) {
@@ -34,12 +47,8 @@ static kg_status outputs_write(outputs *all, kg_error *error) {
         return kg_file_write(all->items[0].path, all->items[0].bytes.items,
                              all->items[0].bytes.count, error);
     kg_status status = KG_OK;
-    for (size_t i = 0; status == KG_OK && i < all->count; i++) {
-        output *o = &all->items[i];
-        status = kg_file_temporary(o->path, &o->temporary, error);
-        if (status == KG_OK)
-            status = kg_file_write(o->temporary, o->bytes.items, o->bytes.count, error);
-    }
+    for (size_t i = 0; status == KG_OK && i < all->count; i++)
+        status = output_prepare(&all->items[i], error);
     size_t moved = 0;
     while (status == KG_OK && moved < all->count) {
         status = kg_file_commit(all->items[moved].temporary, all->items[moved].path, error);
