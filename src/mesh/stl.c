@@ -1,9 +1,8 @@
 /*
  * STL, text and binary. The corners of its triangles are points, welded here where they are equal.
  *
- * OpenMesh's reader is not used: it ends a text file silently at the first number it cannot read,
- * rounds text to single precision, leaves out thin triangles without a word, and loops over the
- * triangle count of a binary header whatever the size of the file.
+ * OpenMesh's reader is not used: it leaves out triangles that it cannot read and thin ones without
+ * a word, takes a file that is cut off for a whole one, and rounds text to single precision.
  */
 #include "mesh/format.h"
 #include "mesh/text.h"
