@@ -77,12 +77,12 @@ static bool parallel(const kg_patch *a, const kg_patch *b) {
 static bool coincide(const kg_pair *pair, const kg_topology *t) {
     enum { SAMPLES = 16 };
     size_t step = t->hubs.count / SAMPLES + 1;
-    int lie = 0;
-    for (size_t i = 0; i < t->hubs.count && lie < 2; i += step) {
+    for (size_t i = 0; i < t->hubs.count; i += step) {
         const kg_hub *h = &t->hubs.items[i];
-        lie += kg_ruling_lies_in(pair->a.patch, 0.5 * (h->v[0] + h->v[1]), pair->b.patch);
+        if (kg_coincide_near(pair->a.patch, 0.5 * (h->v[0] + h->v[1]), pair->b.patch))
+            return true;
     }
-    return lie >= 2;
+    return false;
 }
 
 static kg_status find_general(kg_strips *a, kg_strips *b, double tolerance, kg_crossings *out,
@@ -112,7 +112,7 @@ static kg_status find(const kg_patch *a, const kg_patch *b, double tolerance, kg
         return kg_coplanar_overlap(a, b) ? kg_fail_coincident(error) : KG_OK;
     kg_strips sa = {0}, sb = {0};
     kg_status status = KG_OK;
-    if (!kg_strips_init(&sa, a, origin, size) || !kg_strips_init(&sb, b, origin, size))
+    if (!kg_strips_init(&sa, a, 0, origin, size) || !kg_strips_init(&sb, b, 1, origin, size))
         status = kg_fail(error, KG_ERR_MEMORY, "not enough memory for the crossings");
     else if (kg_strips_apart(&sa, 0, &sb, 0))
         status = KG_OK;

@@ -47,11 +47,14 @@ enum { KG_STRIP_DEPTH = 5 };
 /* The strips of one patch, halved on demand; index 0 is the whole, a hair longer than [0,1]. */
 typedef struct kg_strips {
     kg_ruled ruled;
+    double cut; /* where strips are halved, a fraction near 1/2 */
     kg_strip *items;
     size_t count, capacity;
 } kg_strips;
 
-bool kg_strips_init(kg_strips *strips, const kg_patch *patch, kg_vec3 origin, double size);
+/* `which`: 0 for A, 1 for B. */
+bool kg_strips_init(kg_strips *strips, const kg_patch *patch, int which, kg_vec3 origin,
+                    double size);
 void kg_strips_clear(kg_strips *strips);
 /* Makes both children of a strip; false when memory runs out. Moves `items`. */
 bool kg_strips_split(kg_strips *strips, int index);
@@ -127,6 +130,9 @@ typedef struct kg_line {
 
 kg_line kg_ruled_line(const kg_ruled *ruled, double v);
 
+/* In kg_sample.out: rulings that are parallel and do not meet, which are roots of F too. */
+enum { KG_SIDE_FALSE = 256 };
+
 /* A point of the crossing with what the tracing needs; derivatives by arc length in space. */
 typedef struct kg_sample {
     kg_cross_point at, slope; /* slope.x: unit tangent, or 0 where there is none */
@@ -184,8 +190,8 @@ bool kg_coplanar(const kg_patch *a, const kg_patch *b);
 /* Do the rectangles of two coplanar patches overlap? */
 bool kg_coplanar_overlap(const kg_patch *a, const kg_patch *b);
 
-/* Does a stretch of the ruling v of A lie in the rectangle of B? */
-bool kg_ruling_lies_in(const kg_patch *a, double v, const kg_patch *b);
+/* Are the surfaces one on a piece that begins next to the ruling v of A? */
+bool kg_coincide_near(const kg_patch *a, double v, const kg_patch *b);
 
 /* The one message for surfaces that coincide. */
 kg_status kg_fail_coincident(kg_error *error) KG_CHECKED;

@@ -94,6 +94,17 @@ static bool add_edge_end(work *w, const kg_strip *s, const kg_strip *t, int edge
     return add_end(w, v, x, edge >> 1, edge & 1 ? -1 : 1, arc, hub);
 }
 
+static bool add_arc(work *w, const kg_strip *s, const kg_strip *t, kg_arc_kind kind, int slope,
+                    int first, double at, int last, double to) {
+    int arc = (int)w->out->arcs.count, end = (int)w->out->ends.count;
+    return add_edge_end(w, s, t, first, at, arc, -1) && add_edge_end(w, s, t, last, to, arc, -1) &&
+           kg_push(&w->out->arcs, ((kg_arc){.kind = kind,
+                                            .v = {s->lo, s->hi},
+                                            .t = {t->lo, t->hi},
+                                            .slope = slope,
+                                            .ends = {end, end + 1}}));
+}
+
 /* Joins the ends on the edges of a simple cell in the order of the graph's parameter: each graph
  * starts and ends where the signs on the two edges along that parameter become different. */
 static verdict join(work *w, const kg_strip *s, const kg_strip *t, kg_arc_kind kind, int slope) {
@@ -120,14 +131,8 @@ static verdict join(work *w, const kg_strip *s, const kg_strip *t, kg_arc_kind k
     if (count & 1)
         return UNCLEAR;
     for (int k = 0; k < count; k += 2) {
-        int arc = (int)w->out->arcs.count, end = (int)w->out->ends.count;
-        if (!add_edge_end(w, s, t, list[k].edge, list[k].at, arc, -1) ||
-            !add_edge_end(w, s, t, list[k + 1].edge, list[k + 1].at, arc, -1) ||
-            !kg_push(&w->out->arcs, ((kg_arc){.kind = kind,
-                                              .v = {s->lo, s->hi},
-                                              .t = {t->lo, t->hi},
-                                              .slope = slope,
-                                              .ends = {end, end + 1}})))
+        if (!add_arc(w, s, t, kind, slope, list[k].edge, list[k].at, list[k + 1].edge,
+                     list[k + 1].at))
             return NO_MEMORY;
     }
     return SIMPLE;
@@ -175,12 +180,20 @@ static verdict examine(work *w, cell c) {
     return over_v ? join(w, s, t, KG_ARC_OVER_V, over_v) : join(w, s, t, KG_ARC_OVER_T, over_t);
 }
 
-static bool add_hub(work *w, cell c) {
+static bool add_hub(work *w, cell c, bool crowded) {
     const kg_strip *s = &w->a->items[c.a], *t = &w->b->items[c.b];
     int hub = (int)w->out->hubs.count;
     multiply(w, s, t);
     edges e;
     find_edges(w, &e);
+    /* A curve of odd multiplicity through a cell: F changes its sign across it all along. */
+    if (crowded && e.known)
+        for (int first = 0; first < 4; first += 2)
+            if (e.count[first] == 1 && e.count[first + 1] == 1 && !e.count[2 - first] &&
+                !e.count[3 - first])
+                return add_arc(w, s, t, first ? KG_ARC_OVER_T : KG_ARC_OVER_V,
+                               (first ? w->f[w->n][0] : w->f[0][w->m]) > 0 ? 1 : -1, first,
+                               e.at[first][0], first + 1, e.at[first + 1][0]);
     if (!kg_push(&w->out->hubs,
                  ((kg_hub){.v = {s->lo, s->hi}, .t = {t->lo, t->hi}, .cluster = hub})))
         return false;
@@ -219,7 +232,7 @@ static bool subdivide(work *w, kg_cells level[2]) {
             if (v == EMPTY || v == SIMPLE)
                 continue;
             bool last = crowded || depth == MAX_DEPTH || v == VANISHING;
-            if (!(last ? add_hub(w, c) : split(w, c, &level[1])))
+            if (!(last ? add_hub(w, c, crowded) : split(w, c, &level[1])))
                 return false;
         }
         kg_cells done = level[0];

@@ -9,10 +9,10 @@
 
 #include <stdlib.h>
 
-enum { MAX_DEPTH = 40, MAX_VISITS = 4000 };
+enum { MAX_DEPTH = 26, MAX_VISITS = 4000 };
 
-/* Pieces of v and t below this are points. */
-#define POINT 1e-11
+/* Where pieces of v and t of this length are not yet transversal, the sections touch. */
+#define POINT 1e-7
 
 /* v and t of one crossing found twice, at the common end of two pieces. */
 #define SAME_POINT 1e-8
@@ -171,7 +171,7 @@ kg_status kg_parallel_find(const kg_pair *pair, kg_crossings *out, kg_error *err
     kg_status status = KG_OK;
     if (s.no_memory)
         status = kg_fail(error, KG_ERR_MEMORY, "not enough memory for the crossings");
-    else if (s.crowded && kg_ruling_lies_in(pair->a.patch, s.crowd_v, pair->b.patch))
+    else if (s.crowded && kg_coincide_near(pair->a.patch, s.crowd_v, pair->b.patch))
         status = kg_fail_coincident(error);
     if (!status && s.found.count > 0)
         qsort(s.found.items, s.found.count, sizeof *s.found.items, by_place);

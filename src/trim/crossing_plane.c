@@ -47,10 +47,12 @@ bool kg_coplanar_overlap(const kg_patch *a, const kg_patch *b) {
     return true;
 }
 
-bool kg_ruling_lies_in(const kg_patch *a, double v, const kg_patch *b) {
+/* Does a stretch of the ruling v of A lie in the rectangle of B? */
+static bool lies_in(const kg_patch *a, double v, const kg_patch *b) {
     enum { SAMPLES = 17 };
     int run = 0;
-    v = fmin(fmax(v, 0), 1);
+    if (v < 0 || v > 1)
+        return false;
     for (int i = 0; i < SAMPLES; i++) {
         double u = a->extent[0] + (a->extent[1] - a->extent[0]) * i / (SAMPLES - 1), s, t;
         double gap = kg_patch_closest(b, kg_patch_point(a, u, v), &s, &t);
@@ -59,6 +61,13 @@ bool kg_ruling_lies_in(const kg_patch *a, double v, const kg_patch *b) {
             return true;
     }
     return false;
+}
+
+bool kg_coincide_near(const kg_patch *a, double v, const kg_patch *b) {
+    /* Surfaces that only touch along a ruling are apart by the square of this on each side. */
+    const double step = 2e-3;
+    return (lies_in(a, v - step, b) && lies_in(a, v - 2 * step, b)) ||
+           (lies_in(a, v + step, b) && lies_in(a, v + 2 * step, b));
 }
 
 kg_status kg_fail_coincident(kg_error *error) {

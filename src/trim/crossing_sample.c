@@ -83,10 +83,12 @@ kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind ki
     at->v = v, at->t = t;
     at->u = onto_side(kg_dot(gap, to_u), ua, pair->slack * pair->a.size);
     at->s = onto_side(kg_dot(gap, to_s), ub, pair->slack * pair->a.size);
-    at->x = kg_add(kg_scale(kg_add(kg_madd(a.p, at->u, da), kg_madd(b.p, at->s, db)), 0.5),
-                   pair->a.origin);
+    kg_vec3 xa = kg_madd(a.p, at->u, da), xb = kg_madd(b.p, at->s, db);
+    at->x = kg_madd(pair->a.origin, 0.5, kg_add(xa, xb));
     s.out = beyond(at->u, ua, KG_SIDE_A_U_LO) | beyond(v, unit_side, KG_SIDE_A_V_LO) |
             beyond(at->s, ub, KG_SIDE_B_U_LO) | beyond(t, unit_side, KG_SIDE_B_V_LO);
+    if (!(kg_dist(xa, xb) <= KG_CROSSING_EXACT * pair->a.size))
+        s.out |= KG_SIDE_FALSE;
 
     /* along F = const: (v', t') ∥ (-F_t, F_v); u', s' from the equal tangent of both surfaces */
     double fv, ft;

@@ -5,13 +5,13 @@
 
 #include <stdlib.h>
 
-/* The domain reaches this far beyond [0,1], unequally, so that curves along a side or through a
- * corner lie inside it. */
-#define REACH_LO 0.7e-6
-#define REACH_HI 0.9e-6
+/* The domain reaches this far beyond [0,1], so that curves along a side or through a corner lie
+ * inside it; all unequal, so that those on a diagonal miss its corners. */
+static const double reach[2][2] = {{0.7e-6, 0.9e-6}, {1.1e-6, 1.5e-6}};
 
-/* Strips are not cut in the middle: symmetric models have their special points there. */
-#define CUT 0.4921
+/* Strips are not cut in the middle, where symmetric models have their special points, and the two
+ * of a pair at different places, so that the diagonals are not special either. */
+static const double cuts[2] = {0.4921, 0.5173};
 
 static kg_vec3 coefficient(const kg_strip *s, int k, int i) {
     return kg_v3(s->c[k][i], s->c[k + 1][i], s->c[k + 2][i]);
@@ -113,7 +113,7 @@ static void extend(kg_vec3 *a, int n, double lo, double hi) {
 }
 
 /* One root of a tree: Plücker coefficients with the origin moved, on the reach of the domain. */
-static void plant(const kg_ruled *ruled, kg_strip *s) {
+static void plant(const kg_ruled *ruled, const double beyond[2], kg_strip *s) {
     const kg_patch *patch = ruled->patch;
     kg_vec3 r[KG_PLUCKER_MAX], moment[KG_PLUCKER_MAX];
     int m = patch->geodesic.degree, n = ruled->degree;
@@ -121,7 +121,7 @@ static void plant(const kg_ruled *ruled, kg_strip *s) {
         s->p[i] = ruled->p[i];
     kg_bernstein_cross(patch->rulings, patch->ruling_degree, s->p, m, moment);
     kg_bernstein_elevate3(patch->rulings, patch->ruling_degree, n, r);
-    s->lo = -REACH_LO, s->hi = 1 + REACH_HI;
+    s->lo = -beyond[0], s->hi = 1 + beyond[1];
     extend(r, n, s->lo, s->hi);
     extend(moment, n, s->lo, s->hi);
     extend(s->p, m, s->lo, s->hi);
@@ -131,8 +131,9 @@ static void plant(const kg_ruled *ruled, kg_strip *s) {
     }
 }
 
-bool kg_strips_init(kg_strips *strips, const kg_patch *patch, kg_vec3 origin, double size) {
-    kg_strips set = {.ruled = {.patch = patch, .origin = origin, .size = size}};
+bool kg_strips_init(kg_strips *strips, const kg_patch *patch, int which, kg_vec3 origin,
+                    double size) {
+    kg_strips set = {.cut = cuts[which], .ruled = {.patch = patch, .origin = origin, .size = size}};
     set.ruled.degree = patch->ruling_degree + patch->geodesic.degree;
     for (int i = 0; i <= patch->geodesic.degree; i++)
         set.ruled.p[i] = kg_sub(patch->geodesic.points[i], origin);
@@ -142,7 +143,7 @@ bool kg_strips_init(kg_strips *strips, const kg_patch *patch, kg_vec3 origin, do
     set.count = 1;
     s->child[0] = s->child[1] = -1;
     s->depth = 0;
-    plant(&set.ruled, s);
+    plant(&set.ruled, reach[which], s);
     measure(&set, s);
     *strips = set;
     return true;
@@ -163,8 +164,9 @@ bool kg_strips_split(kg_strips *strips, int index) {
     s->child[0] = (int)strips->count;
     s->child[1] = (int)strips->count + 1;
     strips->count += 2;
+    double cut = strips->cut;
     lo->lo = s->lo, hi->hi = s->hi;
-    lo->hi = hi->lo = s->lo + CUT * (s->hi - s->lo);
+    lo->hi = hi->lo = s->lo + cut * (s->hi - s->lo);
     lo->depth = hi->depth = s->depth + 1;
     lo->child[0] = lo->child[1] = hi->child[0] = hi->child[1] = -1;
     int n = strips->ruled.degree, m = strips->ruled.patch->geodesic.degree;
@@ -175,7 +177,7 @@ bool kg_strips_split(kg_strips *strips, int index) {
         l[0] = h[0];
         for (int j = 1; j <= n; j++) {
             for (int i = 0; i <= n - j; i++)
-                h[i] += CUT * (h[i + 1] - h[i]);
+                h[i] += cut * (h[i + 1] - h[i]);
             l[j] = h[0];
         }
     }
@@ -184,7 +186,7 @@ bool kg_strips_split(kg_strips *strips, int index) {
     lo->p[0] = hi->p[0];
     for (int j = 1; j <= m; j++) {
         for (int i = 0; i <= m - j; i++)
-            hi->p[i] = kg_lerp(hi->p[i], hi->p[i + 1], CUT);
+            hi->p[i] = kg_lerp(hi->p[i], hi->p[i + 1], cut);
         lo->p[j] = hi->p[0];
     }
     measure(strips, lo);

@@ -163,6 +163,8 @@ static bool may_cross(const tracer *tr, const kg_sample *p, const kg_sample *q) 
 
 static bool stays_out(const tracer *tr, const kg_sample *p, const kg_sample *q) {
     unsigned common = p->out & q->out;
+    if (common & KG_SIDE_FALSE)
+        return true;
     for (int k = 0; k < COORDINATES; k++) {
         if (!(common & (side_lo[k] | side_lo[k] << 1)))
             continue;
@@ -370,15 +372,14 @@ bool kg_crossings_add(kg_crossings *crossings, const kg_pair *pair, const kg_sam
     if (!branch->points)
         return false;
     crossings->count++;
+    /* Cells that shrink towards a singular point leave points at all scales: the fine ones go. */
     for (size_t i = 0; i < count; i++) {
-        /* points that fall together would be spans without direction */
-        if (branch->count > 0 &&
-            kg_dist(branch->points[branch->count - 1].x, samples[i].at.x) <= 1e-10 * pair->a.size) {
-            if (i + 1 == count)
-                branch->points[branch->count - 1] = samples[i].at;
-            continue;
-        }
-        branch->points[branch->count++] = samples[i].at;
+        size_t n = branch->count;
+        bool near = n > 0 && kg_dist(branch->points[n - 1].x, samples[i].at.x) < pair->tolerance;
+        if (!near || (i + 1 == count && n == 1))
+            branch->points[branch->count++] = samples[i].at;
+        else if (i + 1 == count)
+            branch->points[n - 1] = samples[i].at;
     }
     if (closed) {
         branch->points[branch->count - 1] = branch->points[0];
