@@ -152,6 +152,28 @@ KG_API kg_cross_point kg_region_edge_at(const kg_patch *patch, const kg_region_l
 KG_API kg_cross_point kg_region_edge_point(const kg_region_loop *loop, const kg_region_edge *edge,
                                            size_t i);
 
+/* ---- triangles -------------------------------------------------------------------------- */
+
+typedef struct kg_vertex {
+    kg_vec3 position, normal; /* unit, to the front */
+    double u, v;
+} kg_vertex;
+
+typedef struct kg_tessellation {
+    size_t vertex_count; /* the points of the loops in their order */
+    kg_vertex *vertices;
+    size_t triangle_count;
+    uint32_t *triangles; /* 3 indices each, counter-clockwise about the front normal */
+} kg_tessellation;
+
+/* Triangles of a region with all vertices on its boundary: regions that share boundary points
+ * share vertices, and the chord error is that of the loops. KG_ERR_INPUT: a boundary that touches
+ * itself so that it bounds no area. */
+KG_API kg_status kg_region_tessellate(const kg_patch *patch, const kg_region *region,
+                                      kg_tessellation *out_tessellation,
+                                      kg_error *error) KG_CHECKED;
+KG_API void kg_tessellation_clear(kg_tessellation *tessellation);
+
 #ifdef __cplusplus
 }
 #endif

@@ -2,6 +2,7 @@
  * katagami: the program. Finds the command in a table and runs it.
  */
 #include "cli/command.h"
+#include "cli/commands.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -12,6 +13,12 @@ static int run_help(int argc, char **argv);
 static int run_version(int argc, char **argv);
 
 static const kg_command commands[] = {
+    {"new", "an empty patch model over a reference mesh", kg_command_new},
+    {"info", "what is in a model, measured", kg_command_info},
+    {"check", "everything in a model that would not work on paper", kg_command_check},
+    {"net", "the pages to cut: SVG, PDF or DXF", kg_command_net},
+    {"export", "the surface as a mesh: OBJ, PLY, STL, OFF, glTF or GLB", kg_command_export},
+    {"render", "a picture as PNG", kg_command_render},
     {"help", "this text, or the help of a command: katagami help COMMAND", run_help},
     {"version", "the version", run_version},
 };

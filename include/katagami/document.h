@@ -1,0 +1,85 @@
+/*
+ * katagami: documents, whatever their mode, as the commands and the app see them.
+ *
+ * A document is a model file in memory. It answers what every mode can answer: what is wrong with
+ * it, its net, its surface as a mesh, the reference mesh behind it.
+ */
+#ifndef KATAGAMI_DOCUMENT_H
+#define KATAGAMI_DOCUMENT_H
+
+#include "katagami/mesh.h"
+#include "katagami/model.h"
+#include "katagami/net.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Chord errors, mm: of nets (a tenth of the finest writing tolerance in common use), and of
+ * pictures and exported meshes, where a fiftieth of a millimetre cannot be seen. */
+#define KG_NET_CHORD 0.001
+#define KG_MESH_CHORD 0.02
+
+typedef enum kg_document_kind { KG_DOCUMENT_PATCHES } kg_document_kind;
+
+typedef struct kg_document kg_document;
+
+/* Reads NAME.katagami of any mode; "-" is standard input (references are then looked for in the
+ * working directory). KG_ERR_IO, KG_ERR_PARSE: the message names file and line. */
+KG_API kg_status kg_document_read(const char *path, kg_document **out_document,
+                                  kg_error *error) KG_CHECKED;
+
+/* Takes over a model; `path` (may be NULL) is where its file lies or will lie. */
+KG_API kg_status kg_document_from_model(kg_model *model, const char *path,
+                                        kg_document **out_document, kg_error *error) KG_CHECKED;
+KG_API void kg_document_destroy(kg_document *document);
+
+KG_API kg_document_kind kg_document_get_kind(const kg_document *document);
+KG_API const char *kg_document_title(const kg_document *document);
+/* The model of a patch document, else NULL. */
+KG_API kg_model *kg_document_model(kg_document *document);
+
+/* Works out everything that follows from the model, with chord errors up to `chord` mm. Needed
+ * before the calls below, and again after the model was changed; then only what changed is done
+ * anew. Faults of the model are issues. KG_ERR_MEMORY. */
+KG_API kg_status kg_document_solve(kg_document *document, double chord, kg_error *error) KG_CHECKED;
+KG_API const kg_solution *kg_document_solution(const kg_document *document);
+
+KG_API size_t kg_document_issue_count(const kg_document *document);
+KG_API const kg_issue *kg_document_issue(const kg_document *document, size_t index);
+/* KG_OK, or KG_ERR_INPUT with the first fault and the file's name. */
+KG_API kg_status kg_document_check(const kg_document *document, kg_error *error) KG_CHECKED;
+
+/* A net with its remarks. */
+typedef struct kg_document_net {
+    kg_net *net;
+    size_t tab_count;
+    size_t remark_count;
+    kg_net_warning *remarks; /* issues of the model and of the tabs; owned, with their messages */
+} kg_document_net;
+
+/* The document's net at scale 1.
+ *   tab_width  mm; 0: without tabs
+ * KG_ERR_INPUT: the model has a fault. */
+KG_API kg_status kg_document_unroll(const kg_document *document, double tab_width,
+                                    kg_document_net *out_net, kg_error *error) KG_CHECKED;
+KG_API void kg_document_net_clear(kg_document_net *net);
+
+/* Net options as the document asks for them. KG_ERR_INPUT: an unknown paper. */
+KG_API kg_status kg_document_net_options(const kg_document *document, kg_net_options *out_options,
+                                         double *out_tab_width, kg_error *error) KG_CHECKED;
+
+/* The surface: one group per patch in document order, fronts outward, colours of the palette given
+ * by `color` (linear RGBA of group i; NULL: grey). Constructions are left out. */
+typedef void (*kg_group_color)(size_t group, float out_rgba[4]);
+KG_API kg_status kg_document_mesh(const kg_document *document, kg_group_color color,
+                                  kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
+
+/* The reference mesh in model coordinates; NULL when the document has none. */
+KG_API kg_status kg_document_reference(const kg_document *document, kg_mesh **out_mesh,
+                                       kg_error *error) KG_CHECKED;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,50 @@
+/* katagami export: the model's surface as a mesh file. */
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "katagami/document.h"
+#include "katagami/render.h"
+
+static const kg_option options[] = {
+    {"output", 'o', true, "FILE", "mesh to write: .obj .ply .stl .off .gltf .glb; required"},
+    {"tolerance", 0, true, "MM", "greatest chord error of the mesh (0.02)"},
+};
+
+static float linear(float x) {
+    return x <= 0.04045F ? x / 12.92F : powf((x + 0.055F) / 1.055F, 2.4F);
+}
+
+static void patch_color(size_t group, float out_rgba[4]) {
+    kg_color c = kg_palette(group);
+    out_rgba[0] = linear(c.r), out_rgba[1] = linear(c.g), out_rgba[2] = linear(c.b);
+    out_rgba[3] = 1;
+}
+
+int kg_command_export(int argc, char **argv) {
+    kg_arguments a;
+    int code = kg_arguments_parse(argc, argv, "katagami export MODEL -o FILE [OPTION…]", options,
+                                  sizeof options / sizeof *options, &a);
+    if (code >= 0)
+        return code;
+    const char *path = kg_arguments_get(&a, "output");
+    double tolerance = KG_MESH_CHORD;
+    if (a.count != 1 || !path)
+        return kg_command_misuse("export", "a model and an output (-o) are wanted");
+    if (!kg_arguments_number(&a, "tolerance", 1e-4, 100, &tolerance))
+        return KG_EXIT_USAGE;
+    kg_error error;
+    kg_document *document = NULL;
+    kg_mesh *mesh = NULL;
+    kg_mesh_format format;
+    kg_status status = kg_mesh_format_of(path, &format, &error);
+    if (!status)
+        status = kg_document_read(a.words[0], &document, &error);
+    if (!status)
+        status = kg_document_solve(document, tolerance, &error);
+    if (!status)
+        status = kg_document_mesh(document, patch_color, &mesh, &error);
+    if (!status)
+        status = kg_mesh_write(path, mesh, &error);
+    kg_mesh_destroy(mesh);
+    kg_document_destroy(document);
+    return status ? kg_command_fail("export", &error) : KG_EXIT_DONE;
+}
