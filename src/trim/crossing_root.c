@@ -28,27 +28,20 @@ static double evaluate(const double *c, int n, double t, double *out_slope) {
     for (int k = n; k > 1; k--)
         for (int i = 0; i < k; i++)
             b[i] += t * (b[i + 1] - b[i]);
-    *out_slope = n ? n * (b[1] - b[0]) : 0;
-    return n ? b[0] + t * (b[1] - b[0]) : b[0];
+    *out_slope = n * (b[1] - b[0]);
+    return b[0] + t * (b[1] - b[0]);
 }
 
-/* The only root between ends of different sign: Newton steps kept inside the bracket. */
+/* The only root between ends of different sign: Newton steps kept inside the bracket, to about
+ * 1e-12. */
 static double single_root(const double *c, int n) {
     double lo = 0, hi = 1, t = c[0] / (c[0] - c[n]);
-    for (int i = 0; i < 80; i++) {
-        double slope, f = evaluate(c, n, t, &slope);
-        if (f == 0)
-            return t;
-        if ((f > 0) == (c[0] > 0))
-            lo = t;
-        else
-            hi = t;
-        double next = t - f / slope;
-        if (!(next > lo && next < hi))
-            next = 0.5 * (lo + hi);
-        if (fabs(next - t) < 1e-15)
-            return next;
-        t = next;
+    for (int i = 0; i < 60; i++) {
+        double slope, f = evaluate(c, n, t, &slope), step = f / slope, next = t - step;
+        if (fabs(step) < 1e-6) /* the next step would be its square */
+            return fmin(fmax(next, 0), 1);
+        *((f > 0) == (c[0] > 0) ? &lo : &hi) = t;
+        t = next > lo && next < hi ? next : 0.5 * (lo + hi);
     }
     return t;
 }

@@ -323,6 +323,69 @@ static void tangent_plane_at_an_inflection_crosses_along_the_ruling(void **state
     kg_crossings_clear(&found);
 }
 
+static void mirrored_patches_meet_in_the_mirror(void **state) {
+    (void)state;
+    kg_random r = {8};
+    size_t branches = 0;
+    for (int i = 0; i < 40; i++) {
+        kg_patch a = random_patch(&r, (pair_kind)(i % 5), kg_v3(0, kg_random_in(&r, -20, 20), 0));
+        kg_vec3 q[KG_CURVE_MAX_POINTS], d = a.rulings[0];
+        d.y = -d.y;
+        for (int k = 0; k <= a.geodesic.degree; k++) {
+            q[k] = a.geodesic.points[k];
+            q[k].y = -q[k].y;
+        }
+        size_t count = (size_t)a.geodesic.degree + 1;
+        kg_patch b = make_patch(q, count, a.extent[0], a.extent[1], &d);
+        /* the ruling of a mirrored curve is the mirrored one reversed */
+        kg_vec3 x = kg_patch_point(&a, 10, 0.3), y = kg_patch_point(&b, 10, 0.3);
+        if (fabs(x.y + y.y) > 1e-6)
+            b = make_patch(q, count, -a.extent[1], -a.extent[0], &d);
+        kg_crossings found = find(&a, &b);
+        check_against_rays(&a, &b, &found, TOLERANCE, "mirrored");
+        for (size_t k = 0; k < found.count; k++) {
+            bool mirror = true;
+            for (size_t j = 0; j < found.branches[k].count; j++)
+                mirror &= fabs(found.branches[k].points[j].x.y) < 1e-9;
+            branches += mirror;
+        }
+        kg_crossings_clear(&found);
+    }
+    assert_true(branches > 10);
+}
+
+static void pieces_of_one_patch_side_by_side_do_not_cross(void **state) {
+    (void)state;
+    kg_random r = {9};
+    for (int i = 0; i < 20; i++) {
+        kg_patch a = random_patch(&r, (pair_kind)(i % 4), O);
+        kg_patch part[2];
+        for (int k = 0; k < 2; k++) {
+            kg_curve c = kg_curve_segment(&a.geodesic, k ? 0.55 : 0, k ? 1 : 0.55);
+            part[k] = make_patch(c.points, (size_t)c.degree + 1, a.extent[0], a.extent[1], NULL);
+        }
+        expect(&part[0], &part[1], 0);
+    }
+}
+
+static void folded_neighbours_share_their_ruling(void **state) {
+    (void)state;
+    /* two planes that meet in an edge, and a plane on the last ruling of a bent patch */
+    kg_patch a = plane(O, kg_v3(100, 0, 0), Y, -10, 30);
+    kg_patch b = plane(O, kg_v3(70, 0, 70), Y, -10, 30);
+    expect(&a, &b, 1);
+    kg_vec3 p[4] = {{0, 0, 0}, {30, 10, 2}, {60, 10, 9}, {90, -10, 20}};
+    kg_patch bent = make_patch(p, 4, -20, 25, NULL);
+    kg_ruling r = kg_patch_ruling(&bent, 1);
+    kg_patch flap = plane(r.p, kg_scale(r.normal, 50), r.d, -20, 25);
+    kg_crossings found = find(&bent, &flap);
+    assert_int_equal(found.count, 1);
+    assert_near(kg_dist(found.branches[0].points[0].x,
+                        found.branches[0].points[found.branches[0].count - 1].x),
+                45, 1e-6);
+    kg_crossings_clear(&found);
+}
+
 static void impossible_tolerances_are_refused(void **state) {
     (void)state;
     kg_patch a = plane(O, kg_v3(100, 0, 0), Y, 0, 30);
@@ -351,6 +414,9 @@ int main(void) {
         cmocka_unit_test(tiny_and_huge_models_have_the_same_branches),
         cmocka_unit_test(planar_inflection_gives_no_false_branch),
         cmocka_unit_test(tangent_plane_at_an_inflection_crosses_along_the_ruling),
+        cmocka_unit_test(mirrored_patches_meet_in_the_mirror),
+        cmocka_unit_test(pieces_of_one_patch_side_by_side_do_not_cross),
+        cmocka_unit_test(folded_neighbours_share_their_ruling),
         cmocka_unit_test(impossible_tolerances_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
