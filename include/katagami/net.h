@@ -222,7 +222,7 @@ typedef struct kg_net_placement {
 
 typedef struct kg_net_layout {
     kg_vec2 page_size; /* mm, of every page */
-    size_t page_count; /* 0 for a net without parts */
+    size_t page_count;
     size_t part_count;
     kg_net_placement *placements; /* one per part */
     double scale;
@@ -230,8 +230,8 @@ typedef struct kg_net_layout {
 } kg_net_layout;
 
 /* Places every part of the net; `progress` (NULL: none) is called while nesting. Errors:
- * KG_ERR_INPUT (an option out of its range; a part larger than the page: names it, its size and
- * what would help), KG_ERR_CANCELLED, KG_ERR_MEMORY. */
+ * KG_ERR_INPUT (an option out of its range; no parts, or what kg_net_check refuses; a part larger
+ * than the page: names it, its size and what would help), KG_ERR_CANCELLED, KG_ERR_MEMORY. */
 KG_API kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
                                       const kg_progress *progress, kg_net_layout **out_layout,
                                       kg_error *error) KG_CHECKED;
@@ -241,8 +241,8 @@ KG_API void kg_net_layout_destroy(kg_net_layout *layout);
 
 /* Draws the net as `path` says: .svg and .dxf (one file a page, NAME-1, NAME-2 … when there are
  * several), .pdf (all pages in one). "-" writes one SVG page to standard output. Files are all
- * written or none. Errors: KG_ERR_INPUT (unknown ending, options), KG_ERR_IO, KG_ERR_MEMORY,
- * KG_ERR_SYSTEM (no font where outlines are asked for). */
+ * written or none. On a machine without fonts PDF and outlined text show digits only. Errors:
+ * KG_ERR_INPUT (unknown ending, options), KG_ERR_IO, KG_ERR_MEMORY. */
 KG_API kg_status kg_net_draw(const kg_net *net, const kg_net_layout *layout,
                              const kg_net_options *options, const char *path,
                              kg_error *error) KG_CHECKED;

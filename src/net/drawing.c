@@ -136,8 +136,11 @@ static kg_status finish(kg_drawing *drawing, const kg_net_options *options, kg_e
         kg_drawing_mirror(drawing);
     if (options->perforate[0] > 0)
         status = kg_perforate(drawing, options->perforate[0], options->perforate[1], error);
-    if (status == KG_OK && options->text_outlines)
-        status = kg_glyph_outline(drawing, error);
+    if (status == KG_OK && options->text_outlines) {
+        kg_glyphs *glyphs = kg_glyphs_create();
+        status = glyphs ? kg_glyphs_outline(glyphs, drawing, error) : out_of_memory(error);
+        kg_glyphs_destroy(glyphs);
+    }
     return status;
 }
 
@@ -146,7 +149,7 @@ kg_status kg_drawing_create(const kg_net *net, const kg_net_layout *layout,
                             kg_error *error) {
     kg_drawing *drawing = calloc(1, sizeof *drawing);
     if (drawing) {
-        drawing->page_count = layout->page_count > 0 ? layout->page_count : 1;
+        drawing->page_count = layout->page_count;
         drawing->pages = calloc(drawing->page_count, sizeof *drawing->pages);
     }
     if (!drawing || !drawing->pages) {

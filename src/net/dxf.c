@@ -374,7 +374,7 @@ static void entities(dxf *d, const kg_page *page, kg_layers layers) {
     text(d, 0, "ENDSEC");
 }
 
-kg_status kg_dxf_page(const kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
+kg_status kg_dxf_page(kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
                       kg_error *error) {
     kg_bytes body = {0};
     dxf d = {.out = &body,

@@ -10,28 +10,51 @@
  * steps of 1/256, and no hinting shall show. */
 #define DESIGN_SIZE 256.0
 
-bool kg_glyph_available(void) {
-    PangoFontFamily **families = NULL;
-    int count = 0;
-    pango_font_map_list_families(pango_cairo_font_map_get_default(), &families, &count);
-    g_free(families);
-    return count > 0;
-}
+/* A font map of its own, so that nothing is left in Pango's for the thread. */
+struct kg_glyphs {
+    PangoFontMap *map;
+    PangoContext *context;
+};
 
-static PangoLayout *layout_new(cairo_t *cr, const char *text) {
-    PangoLayout *layout = pango_cairo_create_layout(cr);
-    PangoFontDescription *font = pango_font_description_from_string(KG_TEXT_FAMILIES);
+kg_glyphs *kg_glyphs_create(void) {
+    kg_glyphs *glyphs = calloc(1, sizeof *glyphs);
+    if (!glyphs)
+        return NULL;
+    glyphs->map = pango_cairo_font_map_new();
+    glyphs->context = pango_font_map_create_context(glyphs->map);
     cairo_font_options_t *options = cairo_font_options_create();
     cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
     cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-    pango_cairo_context_set_font_options(pango_layout_get_context(layout), options);
+    pango_cairo_context_set_font_options(glyphs->context, options);
     cairo_font_options_destroy(options);
+    PangoFontDescription *font = pango_font_description_from_string(KG_TEXT_FAMILIES);
     pango_font_description_set_absolute_size(font, DESIGN_SIZE * PANGO_SCALE);
-    pango_layout_set_font_description(layout, font);
+    pango_context_set_font_description(glyphs->context, font);
     pango_font_description_free(font);
+    return glyphs;
+}
+
+void kg_glyphs_destroy(kg_glyphs *glyphs) {
+    if (!glyphs)
+        return;
+    g_object_unref(glyphs->context);
+    g_object_unref(glyphs->map);
+    free(glyphs);
+}
+
+static PangoLayout *layout_new(const kg_glyphs *glyphs, const char *text) {
+    PangoLayout *layout = pango_layout_new(glyphs->context);
     pango_layout_set_single_paragraph_mode(layout, TRUE);
     pango_layout_set_text(layout, text, -1);
     return layout;
+}
+
+/* Without fonts Pango draws boxes, so it is asked whether a digit would be one. */
+bool kg_glyphs_available(const kg_glyphs *glyphs) {
+    PangoLayout *layout = layout_new(glyphs, "0");
+    bool available = pango_layout_get_unknown_glyphs_count(layout) == 0;
+    g_object_unref(layout);
+    return available;
 }
 
 /* Moves the origin to where the line's baseline begins, scaled so that the line keeps within the
@@ -51,8 +74,8 @@ static void line_place(cairo_t *cr, PangoLayoutLine *line, const kg_caption *cap
     cairo_translate(cr, -width / 2, 0);
 }
 
-void kg_glyph_show(cairo_t *cr, const kg_caption *caption) {
-    PangoLayout *layout = layout_new(cr, caption->text);
+void kg_glyphs_show(const kg_glyphs *glyphs, cairo_t *cr, const kg_caption *caption) {
+    PangoLayout *layout = layout_new(glyphs, caption->text);
     PangoLayoutLine *line = pango_layout_get_line_readonly(layout, 0);
     cairo_save(cr);
     line_place(cr, line, caption);
@@ -95,8 +118,9 @@ static bool copy_path(cairo_t *cr, const cairo_path_t *from, kg_path *to) {
 }
 
 /* The path is taken in the glyphs' own size and mapped afterwards, exactly, by the matrix. */
-static bool outline_glyphs(cairo_t *cr, const kg_caption *caption, kg_path *path) {
-    PangoLayout *layout = layout_new(cr, caption->text);
+static bool outline_glyphs(const kg_glyphs *glyphs, cairo_t *cr, const kg_caption *caption,
+                           kg_path *path) {
+    PangoLayout *layout = layout_new(glyphs, caption->text);
     PangoLayoutLine *line = pango_layout_get_line_readonly(layout, 0);
     cairo_new_path(cr);
     cairo_move_to(cr, 0, 0);
@@ -136,34 +160,40 @@ static bool outline_digits(const kg_caption *caption, kg_path *path) {
     return true;
 }
 
-static bool outline_caption(cairo_t *cr, kg_page *page, const kg_caption *caption) {
+/* `glyphs` NULL: there is no font. */
+static bool outline_caption(const kg_glyphs *glyphs, cairo_t *cr, kg_page *page,
+                            const kg_caption *caption) {
     kg_stroke *stroke = kg_page_stroke(page, caption->layer, NULL);
     if (!stroke)
         return false;
     stroke->part = caption->part;
     stroke->source = caption->source;
-    stroke->filled = cr != NULL;
-    bool done =
-        cr ? outline_glyphs(cr, caption, &stroke->path) : outline_digits(caption, &stroke->path);
+    stroke->filled = glyphs != NULL;
+    bool done = glyphs ? outline_glyphs(glyphs, cr, caption, &stroke->path)
+                       : outline_digits(caption, &stroke->path);
     if (done && stroke->path.count == 0)
         page->strokes.count--; /* blanks, or nothing that digits can say */
     return done;
 }
 
-kg_status kg_glyph_outline(kg_drawing *drawing, kg_error *error) {
+static bool outline_page(const kg_glyphs *glyphs, cairo_t *cr, kg_page *page) {
+    for (size_t k = 0; k < page->captions.count; k++)
+        if (!outline_caption(glyphs, cr, page, &page->captions.items[k]))
+            return false;
+    for (size_t k = 0; k < page->captions.count; k++)
+        free(page->captions.items[k].text);
+    page->captions.count = 0;
+    return true;
+}
+
+kg_status kg_glyphs_outline(const kg_glyphs *glyphs, kg_drawing *drawing, kg_error *error) {
     cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
     cairo_t *cr = cairo_create(surface);
-    bool fonts = kg_glyph_available(), done = cairo_status(cr) == CAIRO_STATUS_SUCCESS;
     cairo_set_tolerance(cr, 0.01);
-    for (size_t i = 0; done && i < drawing->page_count; i++) {
-        kg_page *page = &drawing->pages[i];
-        for (size_t k = 0; done && k < page->captions.count; k++)
-            done = outline_caption(fonts ? cr : NULL, page, &page->captions.items[k]);
-        for (size_t k = 0; done && k < page->captions.count; k++)
-            free(page->captions.items[k].text);
-        if (done)
-            page->captions.count = 0;
-    }
+    bool done = cairo_status(cr) == CAIRO_STATUS_SUCCESS;
+    const kg_glyphs *fonts = kg_glyphs_available(glyphs) ? glyphs : NULL;
+    for (size_t i = 0; done && i < drawing->page_count; i++)
+        done = outline_page(fonts, cr, &drawing->pages[i]);
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     return done ? KG_OK : kg_fail(error, KG_ERR_MEMORY, "out of memory while outlining text");

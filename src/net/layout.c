@@ -124,7 +124,11 @@ kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
                                const kg_progress *progress, kg_net_layout **out_layout,
                                kg_error *error) {
     kg_sheet sheet;
-    kg_status status = kg_sheet_from_options(options, &sheet, error);
+    kg_status status = kg_net_check(net, error);
+    if (status == KG_OK && net->part_count == 0)
+        status = kg_fail(error, KG_ERR_INPUT, "the net has no parts, there is nothing to lay out");
+    if (status == KG_OK)
+        status = kg_sheet_from_options(options, &sheet, error);
     if (status)
         return status;
     kg_net_layout *layout = calloc(1, sizeof *layout);
@@ -138,7 +142,7 @@ kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
     layout->page_size = sheet.size;
     layout->part_count = net->part_count;
     layout->scale = options->scale;
-    if (options->nest && !sheet.endless && net->part_count > 0)
+    if (options->nest && !sheet.endless)
         status = nest(net, options, &sheet, progress, layout, error);
     else
         status = kg_shelf_place(net, options, &sheet, layout, error);

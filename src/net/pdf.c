@@ -51,8 +51,8 @@ static void show_stroke(cairo_t *cr, const kg_drawing *drawing, const kg_stroke 
     cairo_stroke(cr);
 }
 
-static void show_page(cairo_t *cr, const kg_drawing *drawing, const kg_page *page,
-                      kg_layers layers) {
+static void show_page(cairo_t *cr, const kg_glyphs *glyphs, const kg_drawing *drawing,
+                      const kg_page *page, kg_layers layers) {
     for (size_t i = 0; i < page->strokes.count; i++)
         if (layers & 1u << page->strokes.items[i].layer)
             show_stroke(cr, drawing, &page->strokes.items[i]);
@@ -61,13 +61,12 @@ static void show_page(cairo_t *cr, const kg_drawing *drawing, const kg_page *pag
         if (!(layers & 1u << caption->layer))
             continue;
         set_colour(cr, drawing->styles[caption->layer].colour);
-        kg_glyph_show(cr, caption);
+        kg_glyphs_show(glyphs, cr, caption);
     }
 }
 
-kg_status kg_pdf_pages(const kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
-                       kg_error *error) {
-    (void)page;
+static kg_status write_pages(const kg_glyphs *glyphs, const kg_drawing *drawing, kg_layers layers,
+                             kg_bytes *out, kg_error *error) {
     cairo_surface_t *surface = cairo_pdf_surface_create_for_stream(
         collect, out, drawing->size.x * POINT, drawing->size.y * POINT);
     /* A date would make every file differ. */
@@ -78,7 +77,7 @@ kg_status kg_pdf_pages(const kg_drawing *drawing, size_t page, kg_layers layers,
     cairo_scale(cr, POINT, POINT);
     cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
     for (size_t i = 0; i < drawing->page_count; i++) {
-        show_page(cr, drawing, &drawing->pages[i], layers);
+        show_page(cr, glyphs, drawing, &drawing->pages[i], layers);
         cairo_show_page(cr);
     }
     cairo_status_t status = cairo_status(cr);
@@ -91,4 +90,19 @@ kg_status kg_pdf_pages(const kg_drawing *drawing, size_t page, kg_layers layers,
         return kg_fail(error, KG_ERR_MEMORY, "cannot write PDF: %s",
                        cairo_status_to_string(status));
     return KG_OK;
+}
+
+kg_status kg_pdf_pages(kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
+                       kg_error *error) {
+    (void)page;
+    kg_glyphs *glyphs = kg_glyphs_create();
+    if (!glyphs)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory while writing PDF");
+    kg_status status = KG_OK;
+    if (!kg_glyphs_available(glyphs))
+        status = kg_glyphs_outline(glyphs, drawing, error);
+    if (status == KG_OK)
+        status = write_pages(glyphs, drawing, layers, out, error);
+    kg_glyphs_destroy(glyphs);
+    return status;
 }

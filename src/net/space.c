@@ -6,7 +6,10 @@
 
 static bool flatten(kg_space *space, const kg_stroke *stroke) {
     kg_vec2 at = {0, 0}, start = {0, 0};
-    for (size_t i = 0; i < stroke->path.count; i++) {
+    size_t count = stroke->path.count;
+    bool contour = stroke->layer == KG_LAYER_CUT && count > 0 &&
+                   stroke->path.items[count - 1].verb == KG_PATH_CLOSE;
+    for (size_t i = 0; i < count; i++) {
         const kg_path_step *step = &stroke->path.items[i];
         kg_vec2 b[4] = {at, step->p[0], step->p[1], step->p[2]};
         int chords = step->verb == KG_PATH_CURVE ? kg_bezier2_chords(b, KG_SPACE_SAG, 200) : 1;
@@ -14,7 +17,7 @@ static bool flatten(kg_space *space, const kg_stroke *stroke) {
             kg_vec2 q = step->verb == KG_PATH_CLOSE  ? start
                         : step->verb == KG_PATH_LINE ? step->p[0]
                                                      : kg_bezier2(b, (double)k / chords);
-            kg_wall wall = {at, q, stroke->part, stroke->layer == KG_LAYER_CUT};
+            kg_wall wall = {at, q, stroke->part, contour};
             if (!kg_push(&space->walls, wall))
                 return false;
             at = q;
@@ -49,7 +52,7 @@ bool kg_space_inside(const kg_space *space, int part, kg_vec2 p) {
     bool inside = false;
     for (size_t i = 0; i < space->walls.count; i++) {
         const kg_wall *w = &space->walls.items[i];
-        if (!w->cut || (part != 0 && w->part != part) || (w->a.y > p.y) == (w->b.y > p.y))
+        if (!w->contour || (part != 0 && w->part != part) || (w->a.y > p.y) == (w->b.y > p.y))
             continue;
         double x = w->a.x + (p.y - w->a.y) / (w->b.y - w->a.y) * (w->b.x - w->a.x);
         inside ^= p.x < x;

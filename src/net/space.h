@@ -6,8 +6,8 @@
 
 typedef struct kg_wall {
     kg_vec2 a, b;
-    int part; /* number, 0: of the page */
-    bool cut;
+    int part;     /* number, 0: of the page */
+    bool contour; /* of a closed cut, which bounds paper; a slit does not */
 } kg_wall;
 
 typedef struct kg_space {

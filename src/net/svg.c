@@ -192,7 +192,7 @@ static void write_document(svg *s, size_t page, kg_layers layers) {
     s->failed |= xmlTextWriterEndDocument(s->xml) < 0;
 }
 
-kg_status kg_svg_page(const kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
+kg_status kg_svg_page(kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
                       kg_error *error) {
     xmlBufferPtr buffer = xmlBufferCreate();
     svg s = {.xml = buffer ? xmlNewTextWriterMemory(buffer, 0) : NULL, .drawing = drawing};

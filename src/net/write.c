@@ -80,7 +80,7 @@ static char *numbered(const char *path, const char *ending, const char *word, si
 
 typedef struct file_format {
     const char *ending;
-    kg_status (*write)(const kg_drawing *, size_t, kg_layers, kg_bytes *, kg_error *);
+    kg_status (*write)(kg_drawing *, size_t, kg_layers, kg_bytes *, kg_error *);
     bool all_pages; /* in one file */
     bool curves;
 } file_format;
@@ -89,9 +89,8 @@ static const file_format formats[] = {{".svg", kg_svg_page, false, true},
                                       {".pdf", kg_pdf_pages, true, true},
                                       {".dxf", kg_dxf_page, false, false}};
 
-static kg_status draw_files(const kg_drawing *drawing, const kg_net_options *options,
-                            const char *path, const file_format *format, outputs *all,
-                            kg_error *error) {
+static kg_status draw_files(kg_drawing *drawing, const kg_net_options *options, const char *path,
+                            const file_format *format, outputs *all, kg_error *error) {
     const kg_layers cut = 1u << KG_LAYER_CUT;
     static const char *const words[] = {"-print", "-cut"};
     size_t sets = options->separate ? 2 : 1;
@@ -137,8 +136,9 @@ kg_status kg_net_draw(const kg_net *net, const kg_net_layout *layout, const kg_n
     const file_format *format = NULL;
     kg_drawing *drawing;
     kg_status status = format_of(path, &format, error);
-    if (status == KG_OK)
-        status = kg_drawing_create(net, layout, options, format->curves, &drawing, error);
+    if (status)
+        return status;
+    status = kg_drawing_create(net, layout, options, format->curves, &drawing, error);
     if (status)
         return status;
     outputs all = {0};

@@ -10,15 +10,16 @@ typedef unsigned kg_layers;
 #define KG_LAYERS_ALL ((1u << KG_LAYER_COUNT) - 1)
 
 /* One page as SVG. Errors: KG_ERR_MEMORY. */
-kg_status kg_svg_page(const kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
+kg_status kg_svg_page(kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
                       kg_error *error) KG_CHECKED;
 
-/* All pages as one PDF; `page` is not looked at. Errors: KG_ERR_MEMORY. */
-kg_status kg_pdf_pages(const kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
+/* All pages as one PDF; `page` is not looked at. Without fonts the drawing's captions become
+ * strokes. Errors: KG_ERR_MEMORY. */
+kg_status kg_pdf_pages(kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
                        kg_error *error) KG_CHECKED;
 
 /* One page as DXF of AutoCAD 2000. Errors: KG_ERR_MEMORY. */
-kg_status kg_dxf_page(const kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
+kg_status kg_dxf_page(kg_drawing *drawing, size_t page, kg_layers layers, kg_bytes *out,
                       kg_error *error) KG_CHECKED;
 
 #endif

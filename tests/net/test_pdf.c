@@ -1,3 +1,4 @@
+#include "tests/net/leaks.h"
 #include "tests/net/sample.h"
 
 #include "base/file.h"
