@@ -1,0 +1,107 @@
+/*
+ * Speed and memory of the kernel and of whole commands, measured in one run so that ratios hold.
+ *
+ *     katagami-bench KATAGAMI MODEL    the program, and a sample for whole processes
+ */
+#include "bench/bench.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+double bench_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+void bench_row(const char *what, double seconds, const char *unit, double target) {
+    double factor = strcmp(unit, "ns") == 0 ? 1e9 : strcmp(unit, "us") == 0 ? 1e6 : 1e3;
+    printf("%-58s %10.3f %s", what, seconds * factor, unit);
+    if (target > 0)
+        printf("   target %g %s%s", target * factor, unit, seconds <= target ? "" : "  MISSED");
+    putchar('\n');
+    fflush(stdout);
+}
+
+/* Runs a command `runs` times; medians of wall time and peak memory. */
+static int run_process(char *const argv[], int runs, double *out_seconds, double *out_mb) {
+    double wall[32];
+    long peak = 0;
+    for (int i = 0; i < runs; i++) {
+        fflush(NULL); /* what is still buffered would come out of the child as well */
+        double start = bench_now();
+        pid_t pid = fork();
+        if (pid == 0) {
+            if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr))
+                _exit(127);
+            execv(argv[0], argv);
+            _exit(127);
+        }
+        int status;
+        struct rusage usage;
+        if (pid < 0 || wait4(pid, &status, 0, &usage) < 0 || status != 0)
+            return -1;
+        wall[i] = bench_now() - start;
+        peak = usage.ru_maxrss;
+        for (int k = i; k > 0 && wall[k] < wall[k - 1]; k--) {
+            double t = wall[k];
+            wall[k] = wall[k - 1], wall[k - 1] = t;
+        }
+    }
+    *out_seconds = wall[runs / 2];
+    *out_mb = (double)peak / 1024;
+    return 0;
+}
+
+static int bench_processes(char *program, char *model) {
+    char output[] = "/tmp/katagami-bench-XXXXXX.svg";
+    int fd = mkstemps(output, 4);
+    if (fd < 0)
+        return 1;
+    close(fd);
+    char net[] = "net", o[] = "-o", paper[] = "--paper", none[] = "none", tabs[] = "--tabs",
+         labels[] = "--labels", version[] = "version";
+    char *empty[] = {program, version, NULL};
+    char *plain[] = {program, net, model, o, output, paper, none, tabs, none, labels, none, NULL};
+    char *whole[] = {program, net, model, o, output, NULL};
+    struct {
+        const char *what;
+        char **argv;
+        double target, memory;
+    } rows[] = {
+        {"process: version (loading the libraries)", empty, 0, 0},
+        {"process: net, no tabs, no labels, one page", plain, 0.060, 40},
+        {"process: net, tabs, labels, nested on A4", whole, 1.5, 0},
+    };
+    int code = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        double seconds, mb;
+        if (run_process(rows[i].argv, 11, &seconds, &mb)) {
+            printf("%-58s failed\n", rows[i].what);
+            code = 1;
+            continue;
+        }
+        bench_row(rows[i].what, seconds, "ms", rows[i].target);
+        printf("%-58s %10.1f MB", "  peak memory", mb);
+        if (rows[i].memory > 0)
+            printf("   target %g MB%s", rows[i].memory, mb <= rows[i].memory ? "" : "  MISSED");
+        putchar('\n');
+    }
+    unlink(output);
+    return code;
+}
+
+int main(int argc, char **argv) {
+    if (argc != 3) {
+        fputs("usage: katagami-bench KATAGAMI MODEL\n", stderr);
+        return 2;
+    }
+    bench_patches();
+    bench_crossings();
+    bench_models();
+    return bench_processes(argv[1], argv[2]);
+}
