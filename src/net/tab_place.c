@@ -182,6 +182,11 @@ static void shape(const kg_tab_loop *loop, kg_tab *tab, double height) {
     tab->path[3] = kg_tab_loop_at(loop, tab->foot[1]);
 }
 
+/* The foot of a flank, a little up towards its top. */
+static kg_vec2 lifted(kg_vec2 foot, kg_vec2 top) {
+    return kg_lerp2(foot, top, fmin(LIFT / kg_dist2(foot, top), 0.1));
+}
+
 /* A tab's path with its feet lifted off the edge and its top pushed out: what must be free. */
 static void guard(const kg_tab *tab, kg_vec2 out[4]) {
     const kg_vec2 *p = tab->path;
@@ -195,20 +200,27 @@ static void guard(const kg_tab *tab, kg_vec2 out[4]) {
     kg_vec2 outward = kg_scale2(kg_v2(-along.y, along.x), side);
     out[1] = kg_add2(kg_sub2(p[1], along), outward);
     out[2] = kg_add2(kg_add2(p[2], along), outward);
-    out[0] = kg_lerp2(p[0], out[1], fmin(LIFT / kg_dist2(p[0], out[1]), 0.1));
-    out[3] = kg_lerp2(p[3], out[2], fmin(LIFT / kg_dist2(p[3], out[2]), 0.1));
+    out[0] = lifted(p[0], out[1]);
+    out[3] = lifted(p[3], out[2]);
 }
 
-/* Whether a tab runs into its part: its lifted outline meets paper. */
-static bool runs_into_part(const kg_tab_ground *ground, const kg_tab *tab) {
-    kg_vec2 path[4];
-    guard(tab, path);
+static bool meets_part(const kg_tab_ground *ground, const kg_vec2 path[4]) {
     GEOSCoordSequence *seq = GEOSCoordSeq_copyFromBuffer_r(ground->geos, &path[0].x, 4, 0, 0);
     GEOSGeometry *line = seq ? GEOSGeom_createLineString_r(ground->geos, seq) : NULL;
     bool meets = !line || GEOSPreparedIntersects_r(ground->geos, ground->prepared, line) != 0;
     if (line)
         GEOSGeom_destroy_r(ground->geos, line);
     return meets;
+}
+
+/* Whether a tab runs into its part: its lifted outline meets paper, as it is (where its own edge
+ * bulges out) or with its clearance (everywhere else). */
+static bool runs_into_part(const kg_tab_ground *ground, const kg_tab *tab) {
+    kg_vec2 wide[4], path[4] = {{0, 0}, tab->path[1], tab->path[2], {0, 0}};
+    guard(tab, wide);
+    path[0] = lifted(tab->path[0], path[1]);
+    path[3] = lifted(tab->path[3], path[2]);
+    return meets_part(ground, path) || meets_part(ground, wide);
 }
 
 /* Shapes a tab at most `height` high, lower until it is clear of the part. */
