@@ -11,6 +11,10 @@
 #define CHORD_SHARE 0.1
 #define COLLINEAR_SHARE 1e-3
 
+/* Smooth points nearer to each other than this say little about the curve, and noise in them much
+ * too much about its direction. */
+#define DISTINCT_SHARE 0.04
+
 /* A chord is straight when, bent as its neighbours bend, it would leave the true curve by this many
  * times what its maker promises. */
 #define STRAIGHT_FACTOR 5.0
@@ -64,23 +68,28 @@ static double segment_distance(kg_vec2 p, kg_vec2 a, kg_vec2 b) {
 
 /* ---- preparing the knots ------------------------------------------------------------------ */
 
-/* Knots at distinct places; a point that repeats hands its corner to the one that stays. */
+static bool knots_too_near(const fit *f, const knot *a, const knot *b) {
+    double share = a->corner && b->corner ? COLLINEAR_SHARE : DISTINCT_SHARE;
+    return kg_dist2(a->p, b->p) <= share * f->tolerance;
+}
+
+/* Knots at distinct places. Of two points too near to each other a corner stays. */
 static bool knots_distinct(fit *f, const kg_vec2 *points, const unsigned char *corners,
                            size_t count, bool closed) {
-    double least = COLLINEAR_SHARE * f->tolerance;
     for (size_t i = 0; i < count; i++) {
-        bool corner = !corners || corners[i] != 0;
+        bool corner = !corners || corners[i] != 0 || (!closed && (i == 0 || i + 1 == count));
+        knot next = {.p = points[i], .corner = corner};
         knot *last = f->count > 0 ? &f->items[f->count - 1] : NULL;
-        if (last && kg_dist2(last->p, points[i]) <= least) {
-            last->corner |= corner;
-            if (i + 1 == count && f->count > 1)
-                last->p = points[i]; /* an open line ends where it ends */
-        } else if (!kg_push(f, ((knot){.p = points[i], .corner = corner}))) {
-            return false;
+        if (!last || !knots_too_near(f, last, &next)) {
+            if (!kg_push(f, next))
+                return false;
+        } else if (corner) {
+            *last = next;
         }
     }
-    while (closed && f->count > 1 && kg_dist2(f->items[0].p, f->items[f->count - 1].p) <= least) {
-        f->items[0].corner |= f->items[f->count - 1].corner;
+    while (closed && f->count > 1 && knots_too_near(f, &f->items[0], &f->items[f->count - 1])) {
+        if (f->items[f->count - 1].corner)
+            f->items[0] = f->items[f->count - 1];
         f->count--;
     }
     return true;

@@ -54,7 +54,7 @@ static bool on_captions(const writer *w, const kg_block *block) {
 static bool is_free(const writer *w, const kg_caption *caption, bool outside) {
     kg_block block = block_of(caption, CLEARANCE);
     int part = outside ? 0 : w->part->number;
-    return kg_space_on_page(w->space, &block) &&
+    return kg_space_holds(w->space, &block) &&
            kg_space_inside(w->space, part, caption->centre) != outside &&
            !kg_space_blocked(w->space, part, &block) && !on_captions(w, &block);
 }
@@ -276,10 +276,14 @@ kg_status kg_label_draw(const kg_net *net, const kg_net_layout *layout,
                         const kg_net_options *options, kg_drawing *drawing, kg_error *error) {
     if (options->labels == KG_LABELS_NONE)
         return KG_OK;
+    /* No text where a printer does not print. */
+    double margin = options->paper.x > 0 ? options->margin : 0;
+    kg_box2 room = {kg_v2(margin, margin),
+                    kg_v2(drawing->size.x - margin, drawing->size.y - margin)};
     for (size_t i = 0; i < drawing->page_count; i++) {
         kg_space space;
         writer w = {net, layout, options, &drawing->pages[i], &space, NULL};
-        bool done = kg_space_create(&drawing->pages[i], drawing->size, &space);
+        bool done = kg_space_create(&drawing->pages[i], room, &space);
         if (done) {
             done = label_page(&w, (int)i);
             kg_space_clear(&space);

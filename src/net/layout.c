@@ -78,7 +78,10 @@ static kg_status nest(const kg_net *net, const kg_net_options *options, const kg
     for (size_t i = 0; status == KG_OK && i < net->part_count; i++) {
         const kg_nest_place *place = &s.places[i];
         if (place->page < 0) {
-            status = kg_shelf_refuse(&net->parts[i], options, sheet, error);
+            /* Nesting works on a raster; rows hold a part that fills its page to the last line, or
+             * say what is wrong. */
+            layout->page_count = 0;
+            status = kg_shelf_place(net, options, sheet, layout, error);
             break;
         }
         layout->placements[i] =

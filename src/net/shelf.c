@@ -128,25 +128,23 @@ static int by_height(const void *a, const void *b) {
     return p->part < q->part ? -1 : p->part > q->part;
 }
 
-kg_status kg_shelf_refuse(const kg_net_part *part, const kg_net_options *options,
-                          const kg_sheet *sheet, kg_error *error) {
-    item it;
-    if (!item_turn(part, options, sheet->usable, &it))
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
+/* The error for a part that no page can hold, with its size and what would help. */
+static kg_status refuse(const kg_net_part *part, const item *it, const kg_net_options *options,
+                        const kg_sheet *sheet, kg_error *error) {
     char name[300];
     snprintf(name, sizeof name,
              *part->name && strlen(part->name) < 256 ? "part %d (%s)" : "part %d", part->number,
              part->name);
-    if (fits(it.size, sheet->usable))
+    if (fits(it->size, sheet->usable))
         return kg_fail(error, KG_ERR_INPUT,
                        "%s of %.1f x %.1f mm does not fit on a page beside what is printed in its "
                        "corners; use larger paper, a larger margin or a smaller scale",
-                       name, it.size.x, it.size.y);
-    double factor = fmin(sheet->usable.x / it.size.x, sheet->usable.y / it.size.y);
+                       name, it->size.x, it->size.y);
+    double factor = fmin(sheet->usable.x / it->size.x, sheet->usable.y / it->size.y);
     return kg_fail(error, KG_ERR_INPUT,
                    "%s is %.1f x %.1f mm, more than the %.1f x %.1f mm a page has within its "
                    "margins; use larger paper, or a scale of %.2f or less",
-                   name, it.size.x, it.size.y, sheet->usable.x, sheet->usable.y,
+                   name, it->size.x, it->size.y, sheet->usable.x, sheet->usable.y,
                    fmax(floor(options->scale * factor * 100) / 100, 0.01));
 }
 
@@ -227,7 +225,7 @@ static kg_status place_all(const kg_net *net, const kg_sheet *sheet, const kg_ne
         int page;
         kg_vec2 at;
         if (!fits(it->size, sheet->usable) || !shelves_place(&s, it, &page, &at))
-            return kg_shelf_refuse(&net->parts[it->part], options, sheet, error);
+            return refuse(&net->parts[it->part], it, options, sheet, error);
         layout->placements[it->part] =
             (kg_net_placement){page, it->angle, kg_add2(sheet->origin, kg_sub2(at, it->box.lo))};
     }

@@ -13,8 +13,4 @@
 kg_status kg_shelf_place(const kg_net *net, const kg_net_options *options, const kg_sheet *sheet,
                          kg_net_layout *layout, kg_error *error) KG_CHECKED;
 
-/* The error for a part that no page can hold, with its size and what would help. */
-kg_status kg_shelf_refuse(const kg_net_part *part, const kg_net_options *options,
-                          const kg_sheet *sheet, kg_error *error);
-
 #endif

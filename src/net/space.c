@@ -28,8 +28,8 @@ static bool flatten(kg_space *space, const kg_stroke *stroke) {
     return true;
 }
 
-bool kg_space_create(const kg_page *page, kg_vec2 size, kg_space *out_space) {
-    kg_space space = {.size = size};
+bool kg_space_create(const kg_page *page, kg_box2 room, kg_space *out_space) {
+    kg_space space = {.room = room};
     for (size_t i = 0; i < page->strokes.count; i++) {
         if (!flatten(&space, &page->strokes.items[i])) {
             kg_space_clear(&space);
@@ -104,10 +104,10 @@ static kg_vec2 extent(const kg_block *block) {
     return kg_v2(c * block->half.x + s * block->half.y, s * block->half.x + c * block->half.y);
 }
 
-bool kg_space_on_page(const kg_space *space, const kg_block *block) {
-    kg_vec2 e = extent(block), m = block->centre;
-    return m.x - e.x >= 0 && m.y - e.y >= 0 && m.x + e.x <= space->size.x &&
-           m.y + e.y <= space->size.y;
+bool kg_space_holds(const kg_space *space, const kg_block *block) {
+    kg_vec2 e = extent(block), lo = kg_sub2(block->centre, e), hi = kg_add2(block->centre, e);
+    return lo.x >= space->room.lo.x && lo.y >= space->room.lo.y && hi.x <= space->room.hi.x &&
+           hi.y <= space->room.hi.y;
 }
 
 bool kg_blocks_overlap(const kg_block *a, const kg_block *b) {

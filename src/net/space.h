@@ -11,7 +11,7 @@ typedef struct kg_wall {
 } kg_wall;
 
 typedef struct kg_space {
-    kg_vec2 size; /* of the page */
+    kg_box2 room; /* where text may stand */
     struct {
         kg_wall *items;
         size_t count, capacity;
@@ -26,7 +26,7 @@ typedef struct kg_block {
 
 /* The walls of a page's strokes, flattened to KG_SPACE_SAG. False when memory runs out. */
 #define KG_SPACE_SAG 0.1
-bool kg_space_create(const kg_page *page, kg_vec2 size, kg_space *out_space) KG_CHECKED;
+bool kg_space_create(const kg_page *page, kg_box2 room, kg_space *out_space) KG_CHECKED;
 void kg_space_clear(kg_space *space);
 bool kg_space_add_wall(kg_space *space, kg_vec2 a, kg_vec2 b, int part) KG_CHECKED;
 
@@ -36,8 +36,8 @@ bool kg_space_inside(const kg_space *space, int part, kg_vec2 p);
 /* True when a wall of that part (0: any wall) runs through the block. */
 bool kg_space_blocked(const kg_space *space, int part, const kg_block *block);
 
-/* True when the block lies on the page. */
-bool kg_space_on_page(const kg_space *space, const kg_block *block);
+/* True when the block lies in the room for text. */
+bool kg_space_holds(const kg_space *space, const kg_block *block);
 
 /* True when two blocks overlap (separating axes). */
 bool kg_blocks_overlap(const kg_block *a, const kg_block *b);

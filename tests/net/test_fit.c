@@ -261,6 +261,32 @@ static void hard_polylines_are_followed(void **state) {
     }
 }
 
+/* A smooth curve as trimming leaves it: now and then two points that are hardly apart, all of them
+ * off by rounding. */
+static void noise_in_close_points_does_not_break_curves_up(void **state) {
+    (void)state;
+    kg_random random = {4};
+    double r = 60;
+    polyline line = sampled(circle, &r, 1e-3);
+    kg_vec2 *p = calloc(2 * line.count, sizeof *p);
+    size_t count = 0;
+    for (size_t i = 0; i + 1 < line.count; i++) {
+        for (int copy = 0; copy < (i % 5 == 0 ? 2 : 1); copy++) {
+            double noise = 1e-7, near = copy * 2e-5;
+            p[count++] = kg_v2(line.p[i].x + near + kg_random_in(&random, -noise, noise),
+                               line.p[i].y - near + kg_random_in(&random, -noise, noise));
+        }
+    }
+    unsigned char *corners = flags(count);
+    kg_path path = {0};
+    assert_int_equal(kg_fit(p, corners, count, true, 0.01, &path, NULL), KG_OK);
+    assert_true(path.count <= 2 + 6);
+    kg_path_clear(&path);
+    free(corners);
+    free(p);
+    free(line.p);
+}
+
 static void points_without_length_become_nothing(void **state) {
     (void)state;
     kg_vec2 p[5] = {{1, 2}, {1, 2}, {1, 2}, {1, 2}, {1, 2}};
@@ -280,6 +306,7 @@ int main(void) {
         cmocka_unit_test(rounded_rectangle_keeps_its_straight_sides_and_round_corners),
         cmocka_unit_test(corners_stay_and_straight_edges_are_lines),
         cmocka_unit_test(hard_polylines_are_followed),
+        cmocka_unit_test(noise_in_close_points_does_not_break_curves_up),
         cmocka_unit_test(points_without_length_become_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -81,7 +81,7 @@ static void parts_keep_clear_of_registration_marks(void **state) {
         kg_drawing *d = drawn(net, &options);
         for (size_t i = 0; i < d->page_count; i++) {
             kg_space space;
-            assert_true(kg_space_create(&d->pages[i], d->size, &space));
+            assert_true(kg_space_create(&d->pages[i], (kg_box2){{0, 0}, d->size}, &space));
             /* Corners of the marks' boxes: square, angle's legs. */
             const double w = 210, h = 297, m = 8;
             const kg_block marks[] = {{{m + 2.5, m + 2.5}, {2.5, 2.5}, 0},
@@ -151,11 +151,11 @@ static void labels_are_complete_and_lie_on_nothing(void **state) {
         for (size_t i = 0; i < d->page_count; i++) {
             const kg_captions *all = &d->pages[i].captions;
             kg_space space;
-            assert_true(kg_space_create(&d->pages[i], d->size, &space));
+            assert_true(kg_space_create(&d->pages[i], (kg_box2){{0, 0}, d->size}, &space));
             for (size_t k = 0; k < all->count; k++) {
                 kg_block block = block_of(&all->items[k]);
                 labels += all->items[k].layer == KG_LAYER_LABEL;
-                assert_true(kg_space_on_page(&space, &block));
+                assert_true(kg_space_holds(&space, &block));
                 assert_false(kg_space_blocked(&space, 0, &block));
                 for (size_t j = 0; j < k; j++) {
                     kg_block other = block_of(&all->items[j]);

@@ -176,6 +176,30 @@ static void without_paper_the_page_is_as_large_as_the_parts(void **state) {
     kg_net_destroy(net);
 }
 
+static void a_part_as_large_as_the_page_fits_however_it_is_placed(void **state) {
+    (void)state;
+    kg_net *net = kg_net_create();
+    size_t part;
+    const kg_vec2 sheet[] = {{0, 0}, {120, 0}, {120, 90}, {0, 90}};
+    assert_int_equal(kg_net_add_part(net, 1, "", &part, NULL), KG_OK);
+    assert_int_equal(kg_net_add_loop(net, part, sheet, NULL, 4, NULL), KG_OK);
+    for (int nest = 0; nest < 2; nest++) {
+        kg_net_options options = kg_net_options_default();
+        options.paper = kg_v2(106, 136); /* it must lie on its side */
+        options.nest = nest;
+        kg_error error;
+        kg_net_layout *layout;
+        if (kg_net_layout_create(net, &options, NULL, &layout, &error))
+            fail_msg("%s", error.message);
+        assert_int_equal(layout->page_count, 1);
+        kg_net_layout_destroy(layout);
+        options.grain = true; /* which it may not */
+        assert_int_equal(kg_net_layout_create(net, &options, NULL, &layout, &error), KG_ERR_INPUT);
+        assert_non_null(strstr(error.message, "120.0 x 90.0"));
+    }
+    kg_net_destroy(net);
+}
+
 static void many_parts_go_to_numbered_pages_of_true_size(void **state) {
     (void)state;
     kg_net *net = sample_net(14);
@@ -323,6 +347,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(page_holds_layers_closed_cuts_and_data),
         cmocka_unit_test(without_paper_the_page_is_as_large_as_the_parts),
+        cmocka_unit_test(a_part_as_large_as_the_page_fits_however_it_is_placed),
         cmocka_unit_test(many_parts_go_to_numbered_pages_of_true_size),
         cmocka_unit_test(the_same_net_gives_the_same_bytes),
         cmocka_unit_test(a_part_larger_than_the_page_is_named_with_what_helps),
