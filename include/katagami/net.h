@@ -139,8 +139,9 @@ KG_API kg_status kg_net_add_join(kg_net *net, const kg_net_join *join, size_t *o
                                  kg_error *error) KG_CHECKED;
 
 /* Looks for what no correct builder makes: numbers that are not finite, contours of fewer than
- * three points or the wrong direction, lines of fewer than two, indices out of range. For tests
- * and for programs that build nets by hand. Errors: KG_ERR_INPUT naming the part. */
+ * three points or the wrong direction, lines of fewer than two, indices out of range, names that
+ * are no UTF-8. For tests and for programs that build nets by hand. Errors: KG_ERR_INPUT naming the
+ * part. */
 KG_API kg_status kg_net_check(const kg_net *net, kg_error *error) KG_CHECKED;
 
 /* ---- options ---------------------------------------------------------------------------- */

@@ -8,6 +8,7 @@
 #include "net/layout.h"
 #include "net/mirror.h"
 #include "net/perforation.h"
+#include "net/text.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +45,7 @@ kg_stroke *kg_page_stroke(kg_page *page, kg_net_layer layer, const kg_net_part *
 
 bool kg_page_caption(kg_page *page, const kg_caption *caption) {
     kg_caption copy = *caption;
-    copy.text = strdup(caption->text);
+    copy.text = kg_text_line(caption->text);
     if (copy.text && kg_push(&page->captions, copy))
         return true;
     free(copy.text);
@@ -64,6 +65,7 @@ void kg_drawing_destroy(kg_drawing *drawing) {
         free(page->captions.items);
     }
     free(drawing->pages);
+    free(drawing->title);
     free(drawing);
 }
 
@@ -151,13 +153,13 @@ kg_status kg_drawing_create(const kg_net *net, const kg_net_layout *layout,
     if (drawing) {
         drawing->page_count = layout->page_count;
         drawing->pages = calloc(drawing->page_count, sizeof *drawing->pages);
+        drawing->title = kg_text_line(net->title ? net->title : "");
     }
-    if (!drawing || !drawing->pages) {
-        free(drawing);
+    if (!drawing || !drawing->pages || !drawing->title) {
+        kg_drawing_destroy(drawing);
         return out_of_memory(error);
     }
     drawing->size = layout->page_size;
-    drawing->title = net->title ? net->title : "";
     memcpy(drawing->styles, options->styles, sizeof drawing->styles);
     double share = curves ? 1 : 1 - FLATTEN_SHARE;
     drawing->flatten_tolerance = FLATTEN_SHARE * options->tolerance;

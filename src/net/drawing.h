@@ -60,10 +60,10 @@ const char *kg_layer_label(kg_net_layer layer);
 /* Adds an empty stroke, or NULL when memory runs out; valid until the next is added. */
 kg_stroke *kg_page_stroke(kg_page *page, kg_net_layer layer, const kg_net_part *part);
 
-/* Adds a copy of `text`. False when memory runs out. */
+/* Adds a copy of the caption, its text made fit for one line. False when memory runs out. */
 bool kg_page_caption(kg_page *page, const kg_caption *caption) KG_CHECKED;
 
-/* Draws all pages of the net. The drawing borrows the net's title. Without `curves` the writer is
+/* Draws all pages of the net. Without `curves` the writer is
  * going to flatten them, and fitting leaves it two fifths of the tolerance. Errors: KG_ERR_MEMORY,
  * KG_ERR_INPUT (options). */
 kg_status kg_drawing_create(const kg_net *net, const kg_net_layout *layout,

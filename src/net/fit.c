@@ -235,6 +235,7 @@ static void cubic_set(cubic *c) {
     c->p[2] = kg_add2(c->p[3], kg_scale2(c->t1, c->b));
 }
 
+/* First and second derivative by t. */
 static kg_vec2 cubic_speed(const cubic *c, double t) {
     double s = 1 - t;
     kg_vec2 d0 = kg_sub2(c->p[1], c->p[0]), d1 = kg_sub2(c->p[2], c->p[1]);
@@ -243,7 +244,7 @@ static kg_vec2 cubic_speed(const cubic *c, double t) {
                  3 * (s * s * d0.y + 2 * s * t * d1.y + t * t * d2.y));
 }
 
-static kg_vec2 cubic_push(const cubic *c, double t) {
+static kg_vec2 cubic_acceleration(const cubic *c, double t) {
     kg_vec2 e0 = kg_add2(kg_sub2(c->p[0], kg_scale2(c->p[1], 2)), c->p[2]);
     kg_vec2 e1 = kg_add2(kg_sub2(c->p[1], kg_scale2(c->p[2], 2)), c->p[3]);
     return kg_scale2(kg_lerp2(e0, e1, t), 6);
@@ -253,7 +254,7 @@ static kg_vec2 cubic_push(const cubic *c, double t) {
 static double cubic_foot(const cubic *c, kg_vec2 q, double t) {
     for (int i = 0; i < 3; i++) {
         kg_vec2 r = kg_sub2(kg_bezier2(c->p, t), q), v = cubic_speed(c, t);
-        double vv = kg_dot2(v, v), slope = vv + kg_dot2(r, cubic_push(c, t));
+        double vv = kg_dot2(v, v), slope = vv + kg_dot2(r, cubic_acceleration(c, t));
         if (!(vv > 0))
             break;
         /* Far from the curve the second derivative misleads; then the tangent alone is used. */

@@ -1,5 +1,7 @@
 #include "katagami/net.h"
 
+#include "net/text.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -154,9 +156,8 @@ static kg_status line_check(const kg_net *net, const kg_net_line *line, size_t l
 static kg_status part_check(const kg_net *net, const kg_net_part *part, kg_error *error) {
     if (part->loop_count == 0)
         return kg_fail(error, KG_ERR_INPUT, "part %d has no contour", part->number);
-    if (!part->name)
-        return kg_fail(error, KG_ERR_INPUT, "part %d has no name, not even an empty one",
-                       part->number);
+    if (!part->name || !kg_text_valid(part->name))
+        return kg_fail(error, KG_ERR_INPUT, "part %d: its name is not UTF-8", part->number);
     for (size_t i = 0; i < part->loop_count; i++) {
         const kg_net_line *line = &part->loops[i].line;
         kg_status status = line_check(net, line, 3, part->number, error);
@@ -191,6 +192,8 @@ static bool side_valid(const kg_net *net, const kg_net_side *side) {
 }
 
 kg_status kg_net_check(const kg_net *net, kg_error *error) {
+    if (net->title && !kg_text_valid(net->title))
+        return kg_fail(error, KG_ERR_INPUT, "the net's title is not UTF-8");
     for (size_t i = 0; i < net->part_count; i++) {
         kg_status status = part_check(net, &net->parts[i], error);
         if (status != KG_OK)

@@ -13,6 +13,33 @@ uint32_t kg_text_character(const char **text) {
     return code;
 }
 
+bool kg_text_valid(const char *text) {
+    static const uint32_t least[5] = {0, 0, 0x80, 0x800, 0x10000};
+    while (*text) {
+        const char *start = text;
+        uint32_t c = kg_text_character(&text);
+        size_t size = (size_t)(text - start);
+        unsigned char head = (unsigned char)*start;
+        size_t wanted = head < 0x80 ? 1 : head >= 0xf0 ? 4 : head >= 0xe0 ? 3 : 2;
+        if ((head >= 0x80 && head < 0xc0) || size != wanted || c < least[size] || c > 0x10ffff ||
+            (c >= 0xd800 && c < 0xe000))
+            return false;
+    }
+    return true;
+}
+
+char *kg_text_line(const char *text) {
+    char *line = strdup(text);
+    for (char *s = line; line && *s;) {
+        const char *next = s;
+        uint32_t c = kg_text_character(&next);
+        if (c < 32 || (c >= 127 && c < 160) || c == 0xfffe || c == 0xffff)
+            memset(s, ' ', (size_t)(next - s));
+        s += next - s;
+    }
+    return line;
+}
+
 double kg_text_width(const char *text) {
     double width = 0;
     while (*text) {

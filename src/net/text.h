@@ -18,6 +18,13 @@
 /* The character of UTF-8 at *text, which moves behind it; bytes that are none count as one each. */
 uint32_t kg_text_character(const char **text);
 
+/* True for well-formed UTF-8 (no surrogates, nothing overlong). */
+bool kg_text_valid(const char *text);
+
+/* A copy in which what may not stand in a line of XML or a page, control characters and U+FFFE and
+ * U+FFFF, is a blank; the caller frees it. NULL when memory runs out. */
+char *kg_text_line(const char *text);
+
 /* Width of `text` in font sizes, on the generous side: a full-width character is 1. */
 double kg_text_width(const char *text);
 
