@@ -130,18 +130,22 @@ static double chord_error(const kg_sample *p, const kg_sample *q, double *out_tu
     return 0.25 * length * bend;
 }
 
-/* The extremes of coordinate k between two points, by the cubic through values and slopes; the
- * arc length is taken as the chord's. */
+/* Control values of the cubic with the values and slopes of coordinate k at two points; the arc
+ * length is taken as the chord's. */
+static void cubic(const kg_sample *p, const kg_sample *q, int k, double out[4]) {
+    double third = kg_dist(p->at.x, q->at.x) / 3;
+    out[0] = coordinate(&p->at, k), out[3] = coordinate(&q->at, k);
+    out[1] = out[0] + third * coordinate(&p->slope, k);
+    out[2] = out[3] - third * coordinate(&q->slope, k);
+    if (!isfinite(out[1]) || !isfinite(out[2]))
+        out[1] = out[0], out[2] = out[3];
+}
+
 static void reach(const kg_sample *p, const kg_sample *q, int k, double out[2]) {
-    double length = kg_dist(p->at.x, q->at.x);
-    double y0 = coordinate(&p->at, k), y1 = coordinate(&q->at, k);
-    double m0 = length * coordinate(&p->slope, k), m1 = length * coordinate(&q->slope, k);
-    out[0] = fmin(y0, y1), out[1] = fmax(y0, y1);
-    double c0 = y0 + m0 / 3, c1 = y1 - m1 / 3; /* its control points */
-    if (isfinite(c0) && isfinite(c1)) {
-        out[0] = fmin(out[0], fmin(c0, c1));
-        out[1] = fmax(out[1], fmax(c0, c1));
-    }
+    double c[4];
+    cubic(p, q, k, c);
+    out[0] = fmin(fmin(c[0], c[1]), fmin(c[2], c[3]));
+    out[1] = fmax(fmax(c[0], c[1]), fmax(c[2], c[3]));
 }
 
 /* Coordinate steps that no rounding or interpolation makes, in units of coordinate k. */
@@ -176,6 +180,28 @@ static bool stays_out(const tracer *tr, const kg_sample *p, const kg_sample *q) 
             return true;
     }
     return false;
+}
+
+/* Does the span pass each side that lies between its ends just once? */
+static bool crosses_once(const tracer *tr, const kg_sample *p, const kg_sample *q) {
+    double slack = tr->pair->slack * tr->pair->a.size;
+    for (int k = 0; k < COORDINATES; k++)
+        for (int high = 0; high < 2; high++) {
+            if (!((p->out ^ q->out) & side_lo[k] << high))
+                continue;
+            double c[4], side = side_value(tr->pair, k, high);
+            cubic(p, q, k, c);
+            int changes = 0;
+            for (int i = 0; i < 4; i++) {
+                c[i] = high ? side - c[i] : c[i] - side;
+                changes += i > 0 && (c[i] < 0) != (c[i - 1] < 0);
+            }
+            /* an end on the side, from which the curve goes inside before it comes out */
+            bool returns = (c[0] == 0 && c[1] > slack) || (c[3] == 0 && c[2] > slack);
+            if (changes > 1 || returns)
+                return false;
+        }
+    return true;
 }
 
 /* ---- spans ----------------------------------------------------------------------------- */
@@ -265,7 +291,7 @@ static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) 
     bool steady = turn < MAX_TURN && flip > 0.5 * kg_dot(p->across, p->across) &&
                   flip > 0.5 * kg_dot(q->across, q->across);
     /* beyond one side both, yet not certainly out; or too bent to know how often it crosses */
-    if ((p->out & q->out) || !steady)
+    if ((p->out & q->out) || !steady || !crosses_once(tr, p, q))
         return halves(tr, p, q, depth);
     kg_sample in = p->out ? entry(tr, p, q) : *p, out = q->out ? entry(tr, q, p) : *q;
     double way = parameter(tr, q) - parameter(tr, p);

@@ -98,6 +98,54 @@ static void no_branch_is_missed_where_bulges_pierce_each_other(void **state) {
     assert_true(several >= 20);
 }
 
+/* Is the ruling by the naive formula trustworthy? It loses its digits where the curve is straight.
+ */
+static bool naive_holds(const kg_patch *p) {
+    for (int i = 0; i <= 800; i++)
+        if (kg_dist(naive_point(p, 50, i / 800.0), kg_patch_point(p, 50, i / 800.0)) > 1e-9)
+            return false;
+    return true;
+}
+
+static bool lattice_patch(kg_random *r, int span, kg_patch *out) {
+    kg_patch_input in = {.point_count = kg_random_in(r, 0, 1) < 0.6 ? 4 : 6, .has_ruling = true};
+    for (size_t i = 0; i < in.point_count; i++)
+        in.points[i] =
+            kg_v3(10 * floor(kg_random_in(r, 0, span)), 10 * floor(kg_random_in(r, 0, span)),
+                  10 * floor(kg_random_in(r, 0, span)));
+    in.extent[0] = -10 * floor(kg_random_in(r, 0, 4));
+    in.extent[1] = in.extent[0] + 10 * floor(kg_random_in(r, 1, 5));
+    in.ruling = kg_v3(floor(kg_random_in(r, 0, 3)), floor(kg_random_in(r, 0, 3)), 1);
+    return kg_patch_init(&in, out, NULL) == KG_OK && naive_holds(out);
+}
+
+/* Control points on a coarse lattice: corners on surfaces, shared points, parallel rulings, curves
+ * along sides, swinging rulings. */
+static void no_branch_is_missed_among_patches_on_a_lattice(void **state) {
+    (void)state;
+    kg_random r = {71};
+    size_t branches = 0;
+    for (int i = 0; i < 600; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "lattice %d", i);
+        kg_patch a, b;
+        if (!lattice_patch(&r, 2 + i % 4, &a) || !lattice_patch(&r, 2 + i % 4, &b))
+            continue;
+        kg_crossings found = {0};
+        kg_error error = {0};
+        kg_status status = kg_crossings_find(&a, &b, TOLERANCE, &found, &error);
+        if (status) {
+            assert_int_equal(status, KG_ERR_INPUT);
+            continue;
+        }
+        check_points(&a, &b, &found, TOLERANCE);
+        check_against_rays(&a, &b, &found, TOLERANCE, name);
+        branches += found.count;
+        kg_crossings_clear(&found);
+    }
+    assert_true(branches > 60);
+}
+
 static void exchanging_the_patches_gives_the_same_points(void **state) {
     (void)state;
     kg_random r = {51};
@@ -159,6 +207,7 @@ int main(void) {
         cmocka_unit_test(no_branch_is_missed_among_planar_and_straight_patches),
         cmocka_unit_test(no_branch_is_missed_among_wildly_twisted_patches),
         cmocka_unit_test(no_branch_is_missed_where_bulges_pierce_each_other),
+        cmocka_unit_test(no_branch_is_missed_among_patches_on_a_lattice),
         cmocka_unit_test(exchanging_the_patches_gives_the_same_points),
         cmocka_unit_test(points_inside_spans_are_smooth),
     };
