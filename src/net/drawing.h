@@ -45,7 +45,7 @@ typedef struct kg_drawing {
     kg_vec2 size; /* of every page */
     size_t page_count;
     kg_page *pages;
-    const char *title;        /* the net's */
+    char *title;
     double flatten_tolerance; /* mm, what a writer without curves may stray from them */
     kg_net_style styles[KG_LAYER_COUNT];
 } kg_drawing;
