@@ -48,14 +48,19 @@ bool kg_space_add_wall(kg_space *space, kg_vec2 a, kg_vec2 b, int part) {
     return kg_push(&space->walls, ((kg_wall){a, b, part, false}));
 }
 
+/* Does the ray from p along x cross the wall? */
+static bool crosses(const kg_wall *w, kg_vec2 p) {
+    if (!w->contour || (w->a.y > p.y) == (w->b.y > p.y))
+        return false;
+    return p.x < w->a.x + (p.y - w->a.y) / (w->b.y - w->a.y) * (w->b.x - w->a.x);
+}
+
 bool kg_space_inside(const kg_space *space, int part, kg_vec2 p) {
     bool inside = false;
     for (size_t i = 0; i < space->walls.count; i++) {
         const kg_wall *w = &space->walls.items[i];
-        if (!w->contour || (part != 0 && w->part != part) || (w->a.y > p.y) == (w->b.y > p.y))
-            continue;
-        double x = w->a.x + (p.y - w->a.y) / (w->b.y - w->a.y) * (w->b.x - w->a.x);
-        inside ^= p.x < x;
+        if (part == 0 || w->part == part)
+            inside ^= crosses(w, p);
     }
     return inside;
 }
@@ -126,7 +131,7 @@ bool kg_blocks_overlap(const kg_block *a, const kg_block *b) {
 /* ---- pole of inaccessibility ----------------------------------------------------------------- */
 
 typedef struct pole {
-    const kg_space *space;
+    const kg_wall *first, *end; /* all walls of the part are among these */
     int part;
     double c, s, aspect;
 } pole;
@@ -135,30 +140,41 @@ static kg_vec2 squeezed(const pole *f, kg_vec2 p) {
     return kg_v2((f->c * p.x + f->s * p.y) / f->aspect, f->c * p.y - f->s * p.x);
 }
 
+static kg_vec2 unsqueezed(const pole *f, kg_vec2 q) {
+    return kg_v2(f->c * q.x * f->aspect - f->s * q.y, f->s * q.x * f->aspect + f->c * q.y);
+}
+
 /* Distance of q (squeezed) to the part's walls, negative outside of the part. */
 static double clearance(const pole *f, kg_vec2 q) {
     double best = INFINITY;
-    for (size_t i = 0; i < f->space->walls.count; i++) {
-        const kg_wall *w = &f->space->walls.items[i];
+    bool inside = false;
+    kg_vec2 p = unsqueezed(f, q);
+    for (const kg_wall *w = f->first; w < f->end; w++) {
         if (w->part != f->part)
             continue;
         kg_vec2 a = squeezed(f, w->a), ab = kg_sub2(squeezed(f, w->b), a), aq = kg_sub2(q, a);
         double l2 = kg_dot2(ab, ab), t = l2 > 0 ? kg_dot2(ab, aq) / l2 : 0;
-        kg_vec2 r = kg_sub2(aq, kg_scale2(ab, fmin(fmax(t, 0), 1)));
-        best = fmin(best, kg_dot2(r, r));
+        kg_vec2 r = kg_sub2(aq, kg_scale2(ab, t < 0 ? 0 : t > 1 ? 1 : t));
+        double d = kg_dot2(r, r);
+        best = d < best ? d : best;
+        inside ^= crosses(w, p);
     }
-    kg_vec2 p = kg_v2(f->c * q.x * f->aspect - f->s * q.y, f->s * q.x * f->aspect + f->c * q.y);
-    return kg_space_inside(f->space, f->part, p) ? sqrt(best) : -sqrt(best);
+    return inside ? sqrt(best) : -sqrt(best);
 }
 
 double kg_space_pole(const kg_space *space, int part, double angle, double aspect,
                      kg_vec2 *out_centre) {
     enum { GRID = 12, REFINEMENTS = 12 };
-    pole f = {space, part, cos(angle), sin(angle), aspect};
+    pole f = {.part = part, .c = cos(angle), .s = sin(angle), .aspect = aspect};
     kg_box2 box = kg_box2_empty();
-    for (size_t i = 0; i < space->walls.count; i++)
-        if (space->walls.items[i].part == part)
-            kg_box2_add(&box, squeezed(&f, space->walls.items[i].a));
+    for (size_t i = 0; i < space->walls.count; i++) {
+        const kg_wall *w = &space->walls.items[i];
+        if (w->part != part)
+            continue;
+        f.first = f.first ? f.first : w;
+        f.end = w + 1;
+        kg_box2_add(&box, squeezed(&f, w->a));
+    }
     if (box.lo.x > box.hi.x)
         return 0;
     kg_vec2 step = kg_scale2(kg_sub2(box.hi, box.lo), 1.0 / GRID), best_at = box.lo;
@@ -186,7 +202,6 @@ double kg_space_pole(const kg_space *space, int part, double angle, double aspec
         if (best_at.x == from.x && best_at.y == from.y)
             step = kg_scale2(step, 0.5);
     }
-    *out_centre = kg_v2(f.c * best_at.x * aspect - f.s * best_at.y,
-                        f.s * best_at.x * aspect + f.c * best_at.y);
+    *out_centre = unsqueezed(&f, best_at);
     return best > 0 ? best / sqrt(2) : 0;
 }
