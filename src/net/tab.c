@@ -2,6 +2,7 @@
 
 #include "net/tab_merge.h"
 #include "net/tab_place.h"
+#include "net/tab_settle.h"
 
 #include "base/array.h"
 

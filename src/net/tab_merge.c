@@ -57,19 +57,34 @@ static int by_place(const void *pa, const void *pb) {
     return a->base[0] < b->base[0] ? -1 : a->base[0] > b->base[0];
 }
 
+/* One point for the end of a tab and the start of the next, where they are the same. */
+static void share_foot(const kg_tab *tab, kg_tab *next) {
+    if (kg_dist2(tab->path[3], next->path[0]) <= SAME)
+        next->path[0] = tab->path[3];
+}
+
 void kg_tab_order(const kg_tab_ground *ground, kg_tab_list *tabs) {
     for (size_t i = 0; i < tabs->count; i++)
         if (tabs->items[i].height > 0)
             ground_feet(&ground->loops[tabs->items[i].loop], &tabs->items[i]);
     if (tabs->count > 0)
         qsort(tabs->items, tabs->count, sizeof *tabs->items, by_place);
-    for (size_t i = 0; i < tabs->count; i++)
-        for (size_t k = 0; k < tabs->count; k++) {
-            kg_tab *a = &tabs->items[i], *b = &tabs->items[k];
-            if (i != k && a->loop == b->loop && a->height > 0 && b->height > 0 &&
-                kg_dist2(a->path[3], b->path[0]) <= SAME)
-                b->path[0] = a->path[3];
+    kg_tab *first = NULL, *before = NULL;
+    for (size_t i = 0; i < tabs->count; i++) {
+        kg_tab *tab = &tabs->items[i];
+        if (!(tab->height > 0))
+            continue;
+        if (before && before->loop == tab->loop) {
+            share_foot(before, tab);
+        } else {
+            if (before != first)
+                share_foot(before, first);
+            first = tab;
         }
+        before = tab;
+    }
+    if (before != first)
+        share_foot(before, first);
 }
 
 static bool push_point(builder *b, kg_vec2 p, unsigned char corner) {

@@ -17,16 +17,14 @@ static const double SECTOR_SHARE = 0.45;
 /* Below this angle a flank makes a sliver; the foot moves to where it rises at SHORT_END. */
 static const double SLIVER = 0.35, SHORT_END = 0.52;
 /* mm kept between a tab and what it must not touch, and from where on a flank is looked at. */
-static const double CLEARANCE = 0.15, LIFT = 0.02;
+static const double CLEARANCE = KG_TAB_CLEARANCE, LIFT = 0.02;
 /* mm a tab is high at least, whatever the options allow. */
 static const double LEAST_HEIGHT = 0.1;
 /* Factor of one step lower, and where splitting is tried before going lower. */
-static const double STEP_DOWN = 0.85, SPLIT_BELOW = 0.6;
-/* Two halves become one tab again when it keeps this share of their surface. */
-static const double WORTH_JOINING = 0.95;
+static const double STEP_DOWN = KG_TAB_STEP_DOWN, SPLIT_BELOW = 0.6;
 /* Bases (mm) are not split below this. */
 static const double SPLIT_LEAST = 1.5;
-enum { SPLITS_MAX = 5, ROUNDS_MAX = 400 };
+enum { SPLITS_MAX = 5 };
 
 /* ---- the part --------------------------------------------------------------------------- */
 
@@ -109,12 +107,11 @@ void kg_tab_ground_destroy(kg_tab_ground *ground) {
 
 /* ---- one tab ---------------------------------------------------------------------------- */
 
-/* Least height worth cutting on a base of that length. */
-static double least_height(const kg_tab *tab, const kg_tab_options *options) {
+double kg_tab_least(const kg_tab *tab, const kg_tab_options *options) {
     return fmin(fmax(options->least, LEAST_HEIGHT), 0.5 * tab->wanted);
 }
 
-static void drop(kg_tab *tab, kg_tab_reason reason) {
+void kg_tab_drop(kg_tab *tab, kg_tab_reason reason) {
     tab->height = 0;
     tab->reason = reason;
 }
@@ -140,7 +137,7 @@ static void shape(const kg_tab_loop *loop, kg_tab *tab, double height) {
     kg_vec2 chord = kg_sub2(b, a);
     double length = kg_len2(chord), gentle[2], steep[2];
     if (!(length > 1e-3 * CLEARANCE)) {
-        drop(tab, KG_TAB_SHORT);
+        kg_tab_drop(tab, KG_TAB_SHORT);
         return;
     }
     kg_vec2 along = kg_scale2(chord, 1 / length);
@@ -149,7 +146,7 @@ static void shape(const kg_tab_loop *loop, kg_tab *tab, double height) {
         double gap = kg_tab_loop_gap(loop, tab->base[end]);
         double limit = SECTOR_SHARE * gap + rise_at(loop, tab->base[0], tab->base[1], along, end);
         if (!(limit > 0.02)) {
-            drop(tab, KG_TAB_NO_ROOM);
+            kg_tab_drop(tab, KG_TAB_NO_ROOM);
             return;
         }
         gentle[end] = 1 / tan(fmin(FLANK_GENTLE, limit));
@@ -187,8 +184,7 @@ static kg_vec2 lifted(kg_vec2 foot, kg_vec2 top) {
     return kg_lerp2(foot, top, fmin(LIFT / kg_dist2(foot, top), 0.1));
 }
 
-/* A tab's path with its feet lifted off the edge and its top pushed out: what must be free. */
-static void guard(const kg_tab *tab, kg_vec2 out[4]) {
+void kg_tab_guard(const kg_tab *tab, kg_vec2 out[4]) {
     const kg_vec2 *p = tab->path;
     kg_vec2 top = kg_sub2(p[2], p[1]);
     double length = kg_len2(top), base = kg_dist2(p[0], p[3]);
@@ -217,17 +213,16 @@ static bool meets_part(const kg_tab_ground *ground, const kg_vec2 path[4]) {
  * bulges out) or with its clearance (everywhere else). */
 static bool runs_into_part(const kg_tab_ground *ground, const kg_tab *tab) {
     kg_vec2 wide[4], path[4] = {{0, 0}, tab->path[1], tab->path[2], {0, 0}};
-    guard(tab, wide);
+    kg_tab_guard(tab, wide);
     path[0] = lifted(tab->path[0], path[1]);
     path[3] = lifted(tab->path[3], path[2]);
     return meets_part(ground, path) || meets_part(ground, wide);
 }
 
-/* Shapes a tab at most `height` high, lower until it is clear of the part. */
-static void fit(const kg_tab_ground *ground, const kg_tab_options *options, kg_tab *tab,
+void kg_tab_fit(const kg_tab_ground *ground, const kg_tab_options *options, kg_tab *tab,
                 double height) {
     const kg_tab_loop *loop = &ground->loops[tab->loop];
-    double least = least_height(tab, options);
+    double least = kg_tab_least(tab, options);
     tab->height = height;
     shape(loop, tab, height);
     while (tab->height > 0 && tab->height >= least && runs_into_part(ground, tab)) {
@@ -235,10 +230,10 @@ static void fit(const kg_tab_ground *ground, const kg_tab_options *options, kg_t
         shape(loop, tab, tab->height * STEP_DOWN);
     }
     if (!(tab->height > 0) || tab->height < least)
-        drop(tab, tab->height > 0 ? KG_TAB_NO_ROOM : tab->reason);
+        kg_tab_drop(tab, tab->height > 0 ? KG_TAB_NO_ROOM : tab->reason);
 }
 
-static kg_tab half_of(const kg_tab *tab, int half, double width) {
+kg_tab kg_tab_half(const kg_tab *tab, int half, double width) {
     kg_tab part = *tab;
     part.base[1 - half] = (tab->base[0] + tab->base[1]) / 2;
     part.wanted = fmin(width, SLENDER * (part.base[1] - part.base[0]));
@@ -248,13 +243,14 @@ static kg_tab half_of(const kg_tab *tab, int half, double width) {
 /* Adds a tab, or two halves of it where only one of them is in the way of something. */
 static kg_status add(const kg_tab_ground *ground, const kg_tab_options *options, double width,
                      kg_tab tab, int splits, kg_tab_list *tabs) {
-    fit(ground, options, &tab, tab.wanted);
+    kg_tab_fit(ground, options, &tab, tab.wanted);
     if (tab.height < SPLIT_BELOW * tab.wanted && splits < SPLITS_MAX &&
         tab.base[1] - tab.base[0] >= 2 * SPLIT_LEAST) {
-        kg_status status = add(ground, options, width, half_of(&tab, 0, width), splits + 1, tabs);
+        kg_status status =
+            add(ground, options, width, kg_tab_half(&tab, 0, width), splits + 1, tabs);
         return status != KG_OK
                    ? status
-                   : add(ground, options, width, half_of(&tab, 1, width), splits + 1, tabs);
+                   : add(ground, options, width, kg_tab_half(&tab, 1, width), splits + 1, tabs);
     }
     return kg_push(tabs, tab) ? KG_OK : KG_ERR_MEMORY;
 }
@@ -284,150 +280,5 @@ kg_status kg_tab_place(const kg_tab_ground *ground, const kg_net_join *join, int
         status = add(ground, options, width, tab, 0, tabs);
     }
     free(ends);
-    return status;
-}
-
-/* ---- tabs against each other ------------------------------------------------------------ */
-
-static bool segments_meet(kg_vec2 a, kg_vec2 b, kg_vec2 c, kg_vec2 d) {
-    double ca = kg_cross2(kg_sub2(d, c), kg_sub2(a, c)),
-           cb = kg_cross2(kg_sub2(d, c), kg_sub2(b, c));
-    double cc = kg_cross2(kg_sub2(b, a), kg_sub2(c, a)),
-           cd = kg_cross2(kg_sub2(b, a), kg_sub2(d, a));
-    return ((ca >= 0) != (cb >= 0)) && ((cc >= 0) != (cd >= 0));
-}
-
-static bool paths_meet(const kg_vec2 a[4], const kg_vec2 b[4]) {
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            if (segments_meet(a[i], a[i + 1], b[j], b[j + 1]))
-                return true;
-    return false;
-}
-
-static kg_box2 box_of(const kg_vec2 path[4]) {
-    kg_box2 box = kg_box2_empty();
-    for (int i = 0; i < 4; i++)
-        kg_box2_add(&box, path[i]);
-    return box;
-}
-
-/* Whether two tabs meet, one of them with its clearance. */
-static bool conflict(const kg_tab *a, const kg_tab *b) {
-    kg_vec2 ga[4], gb[4];
-    kg_box2 x = box_of(a->path), y = box_of(b->path);
-    if (x.lo.x > y.hi.x + CLEARANCE || y.lo.x > x.hi.x + CLEARANCE || x.lo.y > y.hi.y + CLEARANCE ||
-        y.lo.y > x.hi.y + CLEARANCE)
-        return false;
-    guard(a, ga);
-    guard(b, gb);
-    return paths_meet(ga, b->path) || paths_meet(a->path, gb);
-}
-
-typedef enum verdict { STAYS, GIVES_WAY, GOES } verdict;
-
-/* For every tab whether it meets another; of two that are as low as can be, the one with less
- * surface goes. */
-static bool judge(const kg_tab_list *tabs, const kg_tab_options *options, verdict *verdicts) {
-    bool any = false;
-    for (size_t i = 0; i < tabs->count; i++)
-        verdicts[i] = STAYS;
-    for (size_t i = 0; i < tabs->count; i++)
-        for (size_t j = 0; j < i; j++) {
-            const kg_tab *a = &tabs->items[i], *b = &tabs->items[j];
-            if (!(a->height > 0) || !(b->height > 0) || !conflict(a, b))
-                continue;
-            bool a_lower = a->height * STEP_DOWN >= least_height(a, options);
-            bool b_lower = b->height * STEP_DOWN >= least_height(b, options);
-            double a_size = a->height * (a->base[1] - a->base[0]);
-            double b_size = b->height * (b->base[1] - b->base[0]);
-            any = true;
-            if (a_lower && verdicts[i] == STAYS)
-                verdicts[i] = GIVES_WAY;
-            if (b_lower && verdicts[j] == STAYS)
-                verdicts[j] = GIVES_WAY;
-            if (!a_lower && !b_lower)
-                verdicts[a_size <= b_size ? i : j] = GOES;
-        }
-    return any;
-}
-
-static double surface_of(const kg_tab *tab) {
-    return tab->height *
-           (kg_dist2(tab->path[0], tab->path[3]) + kg_dist2(tab->path[1], tab->path[2])) / 2;
-}
-
-/* One tab in place of two neighbours, halves of the same base, where it holds about as much. */
-static bool join_halves(const kg_tab_ground *ground, const kg_tab_options *options,
-                        kg_tab_list *tabs, size_t a, size_t b) {
-    kg_tab *left = &tabs->items[a], *right = &tabs->items[b];
-    if (left->join != right->join || left->piece != right->piece || !(left->height > 0) ||
-        !(right->height > 0) || left->base[1] != right->base[0])
-        return false;
-    kg_tab whole = *left;
-    whole.base[1] = right->base[1];
-    whole.wanted = fmax(left->wanted, right->wanted);
-    fit(ground, options, &whole, fmin(left->height, right->height));
-    whole.reason = left->reason;
-    if (surface_of(&whole) < WORTH_JOINING * (surface_of(left) + surface_of(right)))
-        return false;
-    for (size_t i = 0; i < tabs->count; i++)
-        if (i != a && i != b && tabs->items[i].height > 0 && conflict(&whole, &tabs->items[i]))
-            return false;
-    *left = whole;
-    *right = tabs->items[--tabs->count];
-    return true;
-}
-
-static void join_all_halves(const kg_tab_ground *ground, const kg_tab_options *options,
-                            kg_tab_list *tabs) {
-    bool joined = true;
-    while (joined) {
-        joined = false;
-        for (size_t a = 0; a < tabs->count; a++)
-            for (size_t b = 0; b < tabs->count && a < tabs->count; b++)
-                joined = (a != b && join_halves(ground, options, tabs, a, b)) || joined;
-    }
-}
-
-kg_status kg_tab_settle(const kg_tab_ground *ground, const kg_tab_options *options,
-                        kg_tab_list *tabs) {
-    verdict *verdicts = NULL;
-    kg_status status = KG_OK;
-    for (int round = 0; status == KG_OK; round++) {
-        size_t count = tabs->count;
-        verdict *grown = realloc(verdicts, (count + 1) * sizeof *verdicts);
-        if (!grown) {
-            status = KG_ERR_MEMORY;
-            break;
-        }
-        verdicts = grown;
-        if (!judge(tabs, options, verdicts))
-            break;
-        for (size_t i = 0; i < count && status == KG_OK; i++) {
-            kg_tab *tab = &tabs->items[i];
-            double length = tab->base[1] - tab->base[0], height = tab->height * STEP_DOWN;
-            if (verdicts[i] == STAYS)
-                continue;
-            tab->reason = KG_TAB_NEIGHBOUR;
-            if (verdicts[i] == GOES || round >= ROUNDS_MAX) {
-                drop(tab, KG_TAB_NEIGHBOUR);
-            } else if (length > 3 * tab->wanted) {
-                /* A long tab gives way only where the other one is. */
-                kg_tab halves[2] = {half_of(tab, 0, tab->wanted), half_of(tab, 1, tab->wanted)};
-                for (int k = 0; k < 2; k++)
-                    fit(ground, options, &halves[k], tab->height);
-                *tab = halves[0];
-                status = kg_push(tabs, halves[1]) ? KG_OK : KG_ERR_MEMORY;
-            } else {
-                fit(ground, options, tab, height);
-                if (tab->height > 0)
-                    tab->reason = KG_TAB_NEIGHBOUR;
-            }
-        }
-    }
-    free(verdicts);
-    if (status == KG_OK)
-        join_all_halves(ground, options, tabs);
     return status;
 }

@@ -42,13 +42,30 @@ kg_status kg_tab_place(const kg_tab_ground *ground, const kg_net_join *join, int
                        const double *bend, const kg_tab_options *options,
                        kg_tab_list *tabs) KG_CHECKED;
 
-/* Splits, lowers and drops tabs of one part (all of `tabs`) until none runs into another. */
-kg_status kg_tab_settle(const kg_tab_ground *ground, const kg_tab_options *options,
-                        kg_tab_list *tabs) KG_CHECKED;
-
 /* Whether a contour, with tabs, and the part's other ones make a valid polygon; else out_at is
  * where they do not. */
 bool kg_tab_contours_valid(GEOSContextHandle_t geos, const kg_net_line *contours, size_t count,
                            kg_vec2 *out_at);
+
+/* ---- single tabs, for settling ------------------------------------------------------------ */
+
+/* mm kept between a tab and what it must not touch; the factor of one step lower. */
+#define KG_TAB_CLEARANCE 0.15
+#define KG_TAB_STEP_DOWN 0.85
+
+/* Shapes a tab at most `height` high, lower until it is clear of the part; height 0: nowhere. */
+void kg_tab_fit(const kg_tab_ground *ground, const kg_tab_options *options, kg_tab *tab,
+                double height);
+
+/* Least height worth cutting on that tab's base. */
+double kg_tab_least(const kg_tab *tab, const kg_tab_options *options);
+
+/* The same tab on the first (0) or second (1) half of its base, still to be shaped. */
+kg_tab kg_tab_half(const kg_tab *tab, int half, double width);
+
+void kg_tab_drop(kg_tab *tab, kg_tab_reason reason);
+
+/* A tab's path with its feet lifted off the edge and its top pushed out: what must be free. */
+void kg_tab_guard(const kg_tab *tab, kg_vec2 out[4]);
 
 #endif
