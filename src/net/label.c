@@ -15,6 +15,7 @@
 /* Free space around a text and between a text and its edge, mm. */
 #define CLEARANCE 0.4
 #define EDGE_DISTANCE 0.5
+#define UNDERLINE_DISTANCE 0.3
 
 #define PI 3.14159265358979323846
 
@@ -68,6 +69,27 @@ static kg_caption caption_new(const writer *w, const char *text, double capital)
                         .text = (char *)(uintptr_t)text};
 }
 
+/* Numbers that read as another one upside down, as loose parts lie: 6 and 9, 16 and 91. */
+static bool turns_over(const char *text) {
+    return text[strspn(text, "01689")] == '\0' && strpbrk(text, "69");
+}
+
+/* Adds the caption; a line below tells where such a number's foot is. */
+static bool label_add(const writer *w, const kg_caption *caption) {
+    if (!kg_page_caption(w->page, caption))
+        return false;
+    if (!turns_over(caption->text))
+        return true;
+    kg_vec2 half = kg_caption_half(caption), along = {cos(caption->angle), sin(caption->angle)};
+    kg_vec2 foot =
+        kg_add2(caption->centre, kg_scale2(kg_v2(-along.y, along.x), half.y + UNDERLINE_DISTANCE));
+    kg_vec2 a = kg_sub2(foot, kg_scale2(along, half.x)),
+            b = kg_add2(foot, kg_scale2(along, half.x));
+    kg_stroke *stroke = kg_page_stroke(w->page, KG_LAYER_LABEL, w->part);
+    return stroke && kg_path_move(&stroke->path, a) && kg_path_line(&stroke->path, b) &&
+           kg_space_add_wall(w->space, a, b, w->part->number);
+}
+
 /* ---- leader lines ------------------------------------------------------------------------------
  */
 
@@ -98,11 +120,11 @@ static bool place_with_leader(const writer *w, const char *text, kg_vec2 anchor)
                                 fabs(way.y) > 1e-9 ? (half.y + CLEARANCE) / fabs(way.y) : HUGE_VAL);
             kg_vec2 end = kg_sub2(caption.centre, kg_scale2(way, enter));
             if (is_free(w, &caption, true) && leader_free(w, anchor, end))
-                return kg_page_caption(w->page, &caption) && leader_draw(w, anchor, end);
+                return label_add(w, &caption) && leader_draw(w, anchor, end);
         }
     }
     caption.centre = anchor;
-    return kg_page_caption(w->page, &caption);
+    return label_add(w, &caption);
 }
 
 /* ---- parts -------------------------------------------------------------------------------------
@@ -142,14 +164,14 @@ static bool label_part(const writer *w) {
         snprintf(text, sizeof text, "%d", w->part->number);
     kg_caption caption;
     if (fit_in_part(w, text, &caption))
-        return kg_page_caption(w->page, &caption);
+        return label_add(w, &caption);
     kg_vec2 pole = {0, 0};
     if (!(kg_space_pole(w->space, w->part->number, 0, 1, &pole) > 0))
         return true; /* no paper to speak of */
     char number[16];
     snprintf(number, sizeof number, "%d", w->part->number);
     if (fit_in_part(w, number, &caption))
-        return kg_page_caption(w->page, &caption);
+        return label_add(w, &caption);
     return place_with_leader(w, text, pole);
 }
 
@@ -246,7 +268,7 @@ static bool label_join_side(const writer *w, const kg_net_side *side, int join) 
     bool outside = w->options->labels == KG_LABELS_OUTSIDE;
     if (fit_at_edge(w, &s, text, outside, &caption) ||
         (outside && fit_at_edge(w, &s, text, false, &caption)))
-        return kg_page_caption(w->page, &caption);
+        return label_add(w, &caption);
     kg_vec2 way;
     return place_with_leader(w, text, stretch_at(w, &s, 0.5, &way));
 }

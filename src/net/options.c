@@ -23,7 +23,7 @@ void kg_net_options_preset(kg_net_options *options, kg_net_preset preset) {
     static const kg_net_style print[KG_LAYER_COUNT] = {
         [KG_LAYER_CUT] = {0x000000, 0.2},    [KG_LAYER_MOUNTAIN] = {0xe4003a, 0.2},
         [KG_LAYER_VALLEY] = {0x0057b8, 0.2}, [KG_LAYER_MARK] = {0x808080, 0.15},
-        [KG_LAYER_LABEL] = {0x404040, 0.1},  [KG_LAYER_GUIDE] = {0xa0a0a0, 0.15}};
+        [KG_LAYER_LABEL] = {0x404040, 0.2},  [KG_LAYER_GUIDE] = {0xa0a0a0, 0.15}};
     static const kg_net_style cutter[KG_LAYER_COUNT] = {
         [KG_LAYER_CUT] = {0xff0000, 0.025},    [KG_LAYER_MOUNTAIN] = {0x0000ff, 0.025},
         [KG_LAYER_VALLEY] = {0x00ff00, 0.025}, [KG_LAYER_MARK] = {0xff00ff, 0.025},

@@ -171,6 +171,33 @@ static void labels_are_complete_and_lie_on_nothing(void **state) {
     }
 }
 
+/* Strokes of the label layer on the page of a small sheet whose part has this number. */
+static int underlines(int number) {
+    kg_net *net = kg_net_create();
+    size_t part;
+    const kg_vec2 sheet[] = {{0, 0}, {30, 0}, {30, 20}, {0, 20}};
+    assert_int_equal(kg_net_add_part(net, 1, "", &part, NULL), KG_OK);
+    assert_int_equal(kg_net_add_loop(net, part, sheet, NULL, 4, NULL), KG_OK);
+    net->parts[0].number = number;
+    kg_net_options options = kg_net_options_default();
+    kg_drawing *d = drawn(net, &options);
+    int count = 0;
+    for (size_t i = 0; i < d->pages[0].strokes.count; i++)
+        count += d->pages[0].strokes.items[i].layer == KG_LAYER_LABEL;
+    kg_drawing_destroy(d);
+    kg_net_destroy(net);
+    return count;
+}
+
+static void numbers_that_read_upside_down_are_underlined(void **state) {
+    (void)state;
+    const int doubtful[] = {6, 9, 16, 91, 99, 106}, plain[] = {1, 8, 10, 26, 39, 67};
+    for (int i = 0; i < 6; i++) {
+        assert_int_equal(underlines(doubtful[i]), 1);
+        assert_int_equal(underlines(plain[i]), 0);
+    }
+}
+
 static void a_part_too_small_for_its_number_gets_a_leader(void **state) {
     (void)state;
     kg_net *net = kg_net_create();
@@ -254,6 +281,7 @@ int main(void) {
         cmocka_unit_test(parts_keep_clear_of_registration_marks),
         cmocka_unit_test(mirrored_pages_exchange_folds_and_keep_text_readable),
         cmocka_unit_test(labels_are_complete_and_lie_on_nothing),
+        cmocka_unit_test(numbers_that_read_upside_down_are_underlined),
         cmocka_unit_test(a_part_too_small_for_its_number_gets_a_leader),
         cmocka_unit_test(dashes_and_gaps_add_up),
         cmocka_unit_test(presets_and_words_are_parsed),
