@@ -169,16 +169,23 @@ static bool stays_out(const tracer *tr, const kg_sample *p, const kg_sample *q) 
     unsigned common = p->out & q->out;
     if (common & KG_SIDE_FALSE)
         return true;
-    for (int k = 0; k < COORDINATES; k++) {
-        if (!(common & (side_lo[k] | side_lo[k] << 1)))
-            continue;
-        double r[2], span = fabs(coordinate(&p->at, k) - coordinate(&q->at, k));
-        reach(p, q, k, r);
-        if ((common & side_lo[k]) && r[1] + 0.1 * span < side_value(tr->pair, k, 0))
-            return true;
-        if ((common & side_lo[k] << 1) && r[0] - 0.1 * span > side_value(tr->pair, k, 1))
-            return true;
-    }
+    double turn, length = kg_dist(p->at.x, q->at.x);
+    chord_error(p, q, &turn);
+    bool bent = turn > 2 * MAX_TURN; /* the cubic says little about the curve */
+    for (int k = 0; k < COORDINATES; k++)
+        for (int high = 0; high < 2; high++) {
+            if (!(common & side_lo[k] << high))
+                continue;
+            double r[2], side = side_value(tr->pair, k, high);
+            double x = fabs(coordinate(&p->at, k) - side), y = fabs(coordinate(&q->at, k) - side);
+            double margin = 0.1 * fabs(x - y);
+            reach(p, q, k, r);
+            /* there and back is farther than a curve over this chord is long */
+            bool far = (k == 0 || k == 2) && x + y > 3 * length;
+            bool clear = high ? r[0] - margin > side : r[1] + margin < side;
+            if (far || (clear && !bent))
+                return true;
+        }
     return false;
 }
 

@@ -235,7 +235,8 @@ static size_t check_rays(const kg_patch *a, const kg_patch *b, const kg_crossing
     size_t checked = 0;
     for (int i = 0; i < RAYS; i++) {
         double fixed = (i + 0.5) / RAYS;
-        ray_hits hits = hits_of(a, b, grid, fixed, 1e-6 * a->size);
+        /* a curve that looks into a rectangle by less than the tolerance may be left out */
+        ray_hits hits = hits_of(a, b, grid, fixed, 0.5 * tolerance);
         for (size_t k = 0; k < hits.count; k++) {
             checked++;
             if (!on_branch(found, fixed, by_t, hits.x[k], 1.01 * tolerance))
