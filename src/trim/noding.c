@@ -3,37 +3,14 @@
 #include "base/array.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Blocks of segments whose boxes are compared first. */
 enum { BLOCK = 8 };
 
-static kg_vec2 chain_plane(const kg_patch *p, const kg_chain *c, size_t i) {
-    return kg_plane(p, c->points[i].u, c->points[i].v);
-}
-
-static bool straight(const kg_chain *c) {
-    return c->kind != KG_EDGE_CUT;
-}
-
-kg_cross_point kg_chain_at(const kg_patch *patch, const kg_chain *chain, size_t i, double fraction,
-                           kg_cross_point *out_slope) {
-    const kg_cross_point *p = &chain->points[i];
-    if (!straight(chain)) {
-        kg_crossing span = {.count = 2, .points = chain->points + i};
-        return kg_crossing_at(patch, chain->other, &span, 0, fraction, out_slope);
-    }
-    double du = p[1].u - p[0].u, dv = p[1].v - p[0].v;
-    kg_cross_point r = {.u = p[0].u + fraction * du, .v = p[0].v + fraction * dv};
-    if (!out_slope) {
-        r.x = kg_patch_point(patch, r.u, r.v);
-        return r;
-    }
-    kg_vec3 xu, xv;
-    r.x = kg_patch_derivatives(patch, r.u, r.v, &xu, &xv);
-    *out_slope = (kg_cross_point){.u = du, .v = dv};
-    out_slope->x = kg_add(kg_scale(xu, du), kg_scale(xv, dv));
-    return r;
-}
+/* Halvings after which chords that cross count as curves that do: more than tangent curves need,
+ * few enough for curves that run side by side below what can be told apart. */
+enum { MAX_HALVINGS = 200 };
 
 /* ---- polishing a crossing onto the exact curves ---------------------------------------- */
 
@@ -103,7 +80,7 @@ static kg_cross_point polish_on_line(const kg_patch *p, const kg_chain *cut, siz
     kg_vec2 along = kg_sub2(to, from);
     double lo = 0, hi = 1, flo = 0, fhi = 0;
     for (int k = 0; k < 2; k++) {
-        kg_vec2 q = kg_sub2(chain_plane(p, cut, i + (size_t)k), from);
+        kg_vec2 q = kg_sub2(kg_chain_plane(p, cut, i + (size_t)k), from);
         *(k ? &fhi : &flo) = kg_cross2(along, q);
     }
     kg_cross_point r = kg_chain_at(p, cut, i, f, NULL);
@@ -147,12 +124,26 @@ static kg_status node_at(kg_arrangement *a, kg_vec2 at, size_t *out_node) {
     return KG_OK;
 }
 
-/* An event at a point of a chain; at a segment's end it belongs to the vertex there. */
+/* An event at a point of a chain, sought from `segment` on: polishing may have moved it to a
+ * neighbouring one. At a segment's end it belongs to the vertex there. */
 static kg_status add_event(kg_arrangement *a, kg_events *events, size_t chain, size_t segment,
-                           double fraction, kg_cross_point point, size_t node) {
+                           kg_cross_point point, size_t node) {
     const kg_chain *c = &a->chains->items[chain];
+    const kg_patch *p = a->patch;
+    kg_vec2 at = kg_plane(p, point.u, point.v);
+    double fraction = 0;
+    for (int moved = 0, last = 0; moved < 8; moved++) {
+        fraction = kg_nearest_fraction(at, kg_chain_plane(p, c, segment),
+                                       kg_chain_plane(p, c, segment + 1));
+        int step = fraction <= 0 ? -1 : fraction >= 1 ? 1 : 0;
+        bool edge = step < 0 ? segment == 0 : segment + 2 == c->count;
+        if (step == 0 || step == -last || (edge && !c->closed))
+            break;
+        segment = !edge ? (step < 0 ? segment - 1 : segment + 1) : step < 0 ? c->count - 2 : 0;
+        last = step;
+    }
     for (size_t k = 0; k < 2; k++)
-        if (kg_dist2(chain_plane(a->patch, c, segment + k), a->nodes[node]) <= a->snap) {
+        if (kg_dist2(kg_chain_plane(p, c, segment + k), a->nodes[node]) <= a->snap) {
             fraction = (double)k;
             point = c->points[segment + k];
         }
@@ -166,91 +157,117 @@ static kg_status add_event(kg_arrangement *a, kg_events *events, size_t chain, s
     return kg_push(events, e) ? KG_OK : KG_ERR_MEMORY;
 }
 
-static kg_status add_pair(kg_arrangement *a, kg_events *events, size_t i, size_t si, double fi,
-                          kg_cross_point pi, size_t j, size_t sj, double fj, kg_cross_point pj,
-                          kg_vec2 at) {
+/* A segment of a chain with its ends in the plane. */
+typedef struct segment {
+    size_t chain, index;
+    const kg_chain *c;
+    kg_vec2 end[2];
+} segment;
+
+static segment segment_of(const kg_arrangement *a, size_t chain, size_t index) {
+    const kg_chain *c = &a->chains->items[chain];
+    return (segment){chain,
+                     index,
+                     c,
+                     {kg_chain_plane(a->patch, c, index), kg_chain_plane(a->patch, c, index + 1)}};
+}
+
+/* A node where the point p of x's chain and the point q of y's are one. */
+static kg_status add_pair(kg_arrangement *a, kg_events *events, const segment *x, kg_cross_point p,
+                          const segment *y, kg_cross_point q) {
     size_t node;
-    kg_status status = node_at(a, at, &node);
+    kg_status status = node_at(a, kg_plane(a->patch, p.u, p.v), &node);
     if (!status)
-        status = add_event(a, events, i, si, fi, pi, node);
+        status = add_event(a, events, x->chain, x->index, p, node);
     if (!status)
-        status = add_event(a, events, j, sj, fj, pj, node);
+        status = add_event(a, events, y->chain, y->index, q, node);
     return status;
 }
 
-/* Fraction of the segment nearest to p, and the distance. */
-static double nearest_fraction(kg_vec2 p, kg_vec2 a, kg_vec2 b, double *out_distance) {
-    kg_vec2 d = kg_sub2(b, a);
-    double n = kg_dot2(d, d), f = n > 0 ? kg_dot2(kg_sub2(p, a), d) / n : 0;
-    f = fmin(fmax(f, 0), 1);
-    *out_distance = kg_dist2(p, kg_lerp2(a, b, f));
-    return f;
-}
-
-/* A point of a chain's segment whose plane place is known to lie on it within the snap. */
-static kg_cross_point touched(const kg_patch *p, const kg_chain *c, size_t segment, double f,
-                              kg_cross_point at) {
-    kg_cross_point r = kg_chain_at(p, c, segment, f, NULL);
-    r.u = at.u, r.v = at.v, r.x = at.x;
-    return r;
-}
-
-static kg_status cross_segments(kg_arrangement *a, kg_events *events, size_t i, size_t si, size_t j,
-                                size_t sj) {
-    const kg_patch *patch = a->patch;
-    const kg_chain *ci = &a->chains->items[i], *cj = &a->chains->items[j];
-    kg_vec2 p0 = chain_plane(patch, ci, si), p1 = chain_plane(patch, ci, si + 1);
-    kg_vec2 q0 = chain_plane(patch, cj, sj), q1 = chain_plane(patch, cj, sj + 1);
-    bool touching = false;
-    kg_status status = KG_OK;
-    for (size_t k = 0; k < 2 && !status; k++) {
-        double gap, f = nearest_fraction(k ? p1 : p0, q0, q1, &gap);
-        if (gap <= a->snap) {
-            kg_cross_point at = ci->points[si + k];
-            status = add_pair(a, events, i, si, (double)k, at, j, sj, f,
-                              touched(patch, cj, sj, f, at), k ? p1 : p0);
-            touching = true;
-        }
+/* Adds nodes where an end of x lies on y. */
+static kg_status touch_segments(kg_arrangement *a, kg_events *events, const segment *x,
+                                const segment *y, bool *out_touching) {
+    for (size_t k = 0; k < 2; k++) {
+        double f;
+        kg_cross_point p = x->c->points[x->index + k], q;
+        if (!kg_chain_passes(a->patch, y->c, y->index, x->end[k], &f, &q))
+            continue;
+        *out_touching = true;
+        kg_status status = add_pair(a, events, x, p, y, q);
         if (status)
-            break;
-        f = nearest_fraction(k ? q1 : q0, p0, p1, &gap);
-        if (gap <= a->snap) {
-            kg_cross_point at = cj->points[sj + k];
-            status = add_pair(a, events, i, si, f, touched(patch, ci, si, f, at), j, sj, (double)k,
-                              at, k ? q1 : q0);
-            touching = true;
-        }
+            return status;
     }
+    return KG_OK;
+}
+
+/* Halves a segment that bends, with an exact point. */
+static kg_status halve(const kg_patch *patch, kg_chain *c, size_t i) {
+    kg_cross_point middle = kg_chain_at(patch, c, i, 0.5, NULL);
+    size_t capacity = c->count;
+    if (!kg_reserve_bytes((void **)&c->points, &capacity, c->count + 1, sizeof middle))
+        return KG_ERR_MEMORY;
+    memmove(c->points + i + 2, c->points + i + 1, (c->count - i - 1) * sizeof middle);
+    c->points[i + 1] = middle;
+    c->count++;
+    return KG_OK;
+}
+
+/* The exact point where two cuts cross near fractions fx and fy of their segments; false if they
+ * cross nowhere near, only their chords do. */
+static bool polish_cuts(const kg_patch *patch, const segment *x, double fx, const segment *y,
+                        double fy, kg_cross_point *out_p, kg_cross_point *out_q) {
+    kg_cross_point p = kg_chain_at(patch, x->c, x->index, fx, NULL);
+    kg_cross_point q = kg_chain_at(patch, y->c, y->index, fy, NULL);
+    *out_p = *out_q = p;
+    out_q->s = q.s, out_q->t = q.t;
+    double reach = fmax(kg_dist2(x->end[0], x->end[1]), kg_dist2(y->end[0], y->end[1]));
+    kg_vec2 near = kg_lerp2(x->end[0], x->end[1], fx);
+    if (!polish_triple(patch, x->c->other, y->c->other, &p, &q) ||
+        kg_dist2(kg_plane(patch, p.u, p.v), near) > reach)
+        return false;
+    *out_p = p;
+    *out_q = q;
+    return true;
+}
+
+static kg_status cross_segments(kg_arrangement *a, kg_events *events, const segment *x,
+                                const segment *y) {
+    const kg_patch *patch = a->patch;
+    bool touching = false;
+    kg_status status = touch_segments(a, events, x, y, &touching);
+    if (!status)
+        status = touch_segments(a, events, y, x, &touching);
     if (status || touching)
         return status;
-    kg_vec2 d = kg_sub2(p1, p0), e = kg_sub2(q1, q0), g = kg_sub2(q0, p0);
+    kg_vec2 d = kg_sub2(x->end[1], x->end[0]), e = kg_sub2(y->end[1], y->end[0]);
+    kg_vec2 g = kg_sub2(y->end[0], x->end[0]);
     double den = kg_cross2(d, e);
     if (den == 0)
         return KG_OK;
-    double fi = kg_cross2(g, e) / den, fj = kg_cross2(g, d) / den;
-    if (!(fi > 0 && fi < 1 && fj > 0 && fj < 1))
+    double fx = kg_cross2(g, e) / den, fy = kg_cross2(g, d) / den;
+    if (!(fx >= 0 && fx <= 1 && fy >= 0 && fy <= 1))
         return KG_OK;
-    kg_cross_point pi, pj;
-    if (straight(ci) && straight(cj)) {
-        pi = pj = kg_chain_at(patch, ci, si, fi, NULL);
-    } else if (straight(cj)) {
-        pi = pj = polish_on_line(patch, ci, si, fi, q0, q1);
-    } else if (straight(ci)) {
-        pi = pj = polish_on_line(patch, cj, sj, fj, p0, p1);
-    } else {
-        pi = kg_chain_at(patch, ci, si, fi, NULL);
-        pj = kg_chain_at(patch, cj, sj, fj, NULL);
-        if (!polish_triple(patch, ci->other, cj->other, &pi, &pj))
-            pj.u = pi.u, pj.v = pi.v, pj.x = pi.x; /* tangent cuts: no better point exists */
+    kg_cross_point p, q;
+    if (kg_chain_is_straight(x->c) && kg_chain_is_straight(y->c)) {
+        p = q = kg_chain_at(patch, x->c, x->index, fx, NULL);
+    } else if (kg_chain_is_straight(y->c)) {
+        p = q = polish_on_line(patch, x->c, x->index, fx, y->end[0], y->end[1]);
+    } else if (kg_chain_is_straight(x->c)) {
+        p = q = polish_on_line(patch, y->c, y->index, fy, x->end[0], x->end[1]);
+    } else if (!polish_cuts(patch, x, fx, y, fy, &p, &q) &&
+               fmax(kg_len2(d), kg_len2(e)) > 4 * a->snap && a->halvings < MAX_HALVINGS) {
+        a->halvings++;
+        status = halve(patch, &a->chains->items[y->chain], y->index); /* may be x's, further on */
+        return status ? status : halve(patch, &a->chains->items[x->chain], x->index);
     }
-    return add_pair(a, events, i, si, fi, pi, j, sj, fj, pj, kg_plane(patch, pi.u, pi.v));
+    return add_pair(a, events, x, p, y, q);
 }
 
 static kg_box2 span_box(const kg_patch *p, const kg_chain *c, size_t first, size_t last,
                         double margin) {
     kg_box2 b = kg_box2_empty();
     for (size_t k = first; k <= last; k++)
-        kg_box2_add(&b, chain_plane(p, c, k));
+        kg_box2_add(&b, kg_chain_plane(p, c, k));
     b.lo = kg_sub2(b.lo, kg_v2(margin, margin));
     b.hi = kg_add2(b.hi, kg_v2(margin, margin));
     return b;
@@ -263,6 +280,7 @@ static bool apart(kg_box2 a, kg_box2 b) {
 static kg_status cross_chains(kg_arrangement *a, kg_events *events, size_t i, size_t j) {
     const kg_chain *ci = &a->chains->items[i], *cj = &a->chains->items[j];
     const kg_patch *p = a->patch;
+    size_t halvings = a->halvings;
     kg_box2 whole = span_box(p, cj, 0, cj->count - 1, a->snap);
     for (size_t bi = 0; bi + 1 < ci->count; bi += BLOCK) {
         size_t ei = bi + BLOCK < ci->count ? bi + BLOCK : ci->count - 1;
@@ -272,23 +290,47 @@ static kg_status cross_chains(kg_arrangement *a, kg_events *events, size_t i, si
         for (size_t bj = 0; bj + 1 < cj->count; bj += BLOCK) {
             size_t ej = bj + BLOCK < cj->count ? bj + BLOCK : cj->count - 1;
             kg_box2 boxj = span_box(p, cj, bj, ej, 0);
-            if (apart(boxi, boxj))
+            if (apart(boxi, boxj) || (i == j && ej <= bi))
                 continue;
             for (size_t si = bi; si < ei; si++) {
                 kg_box2 seg = span_box(p, ci, si, si + 1, a->snap);
                 if (apart(seg, boxj))
                     continue;
                 for (size_t sj = bj; sj < ej; sj++) {
+                    if (i == j && (sj <= si + 1 || (ci->closed && si == 0 && sj == ci->count - 2)))
+                        continue; /* neighbours meet in their common point only */
                     if (apart(seg, span_box(p, cj, sj, sj + 1, 0)))
                         continue;
-                    kg_status status = cross_segments(a, events, i, si, j, sj);
-                    if (status)
+                    segment x = segment_of(a, i, si), y = segment_of(a, j, sj);
+                    kg_status status = cross_segments(a, events, &x, &y);
+                    if (status || a->halvings != halvings)
                         return status;
                 }
             }
         }
     }
     return KG_OK;
+}
+
+/* A chain that only rises or only falls in u or in v does not cross itself. */
+static bool is_monotone(const kg_chain *c) {
+    bool up[2] = {true, true}, down[2] = {true, true};
+    for (size_t i = 1; i < c->count; i++) {
+        double step[2] = {c->points[i].u - c->points[i - 1].u, c->points[i].v - c->points[i - 1].v};
+        for (int k = 0; k < 2; k++) {
+            up[k] = up[k] && step[k] > 0;
+            down[k] = down[k] && step[k] < 0;
+        }
+    }
+    return up[0] || up[1] || down[0] || down[1];
+}
+
+/* Can chains i <= j cross? The sides of what was left before meet at their ends only; the cut of a
+ * patch that crosses itself may cross itself. */
+static bool may_cross(const kg_chain *ci, const kg_chain *cj) {
+    if (ci->labels & cj->labels & KG_LABEL_REGION)
+        return false;
+    return ci != cj || (ci->kind == KG_EDGE_CUT && !is_monotone(ci));
 }
 
 static int compare_events(const void *x, const void *y) {
@@ -302,39 +344,35 @@ static int compare_events(const void *x, const void *y) {
     return a->node < b->node ? -1 : a->node > b->node;
 }
 
-kg_status kg_node_chains(kg_arrangement *a, kg_events *out_events) {
-    kg_events events = {0};
+static kg_status node_all(kg_arrangement *a, kg_events *events) {
     kg_status status = KG_OK;
-    size_t n = a->chains->count;
+    size_t n = a->chains->count, halvings = a->halvings;
     for (size_t i = 0; i < n && !status; i++) {
         const kg_chain *c = &a->chains->items[i];
-        if (c->closed)
-            continue;
-        for (size_t k = 0; k < 2 && !status; k++) {
+        for (size_t k = 0; k < (c->closed ? 1 : 2) && !status; k++) {
             size_t at = k ? c->count - 1 : 0, node;
-            status = node_at(a, chain_plane(a->patch, c, at), &node);
+            status = node_at(a, kg_chain_plane(a->patch, c, at), &node);
             kg_event e = {i, at, node, 0, c->points[at]};
-            if (!status && !kg_push(&events, e))
+            if (!status && !kg_push(events, e))
                 status = KG_ERR_MEMORY;
         }
     }
     for (size_t i = 0; i < n && !status; i++)
-        for (size_t j = i + 1; j < n && !status; j++) {
-            /* the sides of what was left before meet at their ends only */
-            if ((a->chains->items[i].labels & a->chains->items[j].labels & KG_LABEL_REGION) == 0)
-                status = cross_chains(a, &events, i, j);
-        }
-    /* a closed chain that meets nothing still needs a node to start at */
-    for (size_t i = 0; i < n && !status; i++) {
-        bool met = !a->chains->items[i].closed;
-        for (size_t k = 0; k < events.count && !met; k++)
-            met = events.items[k].chain == i;
-        size_t node;
-        if (met || (status = node_at(a, chain_plane(a->patch, &a->chains->items[i], 0), &node)))
-            continue;
-        kg_event e = {i, 0, node, 0, a->chains->items[i].points[0]};
-        if (!kg_push(&events, e))
-            status = KG_ERR_MEMORY;
+        for (size_t j = i; j < n && !status && a->halvings == halvings; j++)
+            if (may_cross(&a->chains->items[i], &a->chains->items[j]))
+                status = cross_chains(a, events, i, j);
+    return status;
+}
+
+kg_status kg_node_chains(kg_arrangement *a, kg_events *out_events) {
+    kg_events events = {0};
+    kg_status status = KG_OK;
+    size_t before = SIZE_MAX;
+    for (a->halvings = 0; a->halvings != before;) {
+        before = a->halvings;
+        a->node_count = events.count = 0;
+        if ((status = node_all(a, &events)))
+            break;
     }
     if (status) {
         free(events.items);

@@ -16,7 +16,8 @@ typedef struct kg_events {
     size_t count, capacity;
 } kg_events;
 
-/* Fills the arrangement's nodes and the events of all chains, sorted along each chain. */
+/* Halves segments whose chords cross though the curves do not. Fills the arrangement's nodes and
+ * the events of all chains, sorted along each chain. */
 kg_status kg_node_chains(kg_arrangement *a, kg_events *out_events) KG_CHECKED;
 
 #endif

@@ -104,12 +104,26 @@ kg_status kg_regions_rectangle(const kg_patch *patch, double tolerance, kg_regio
 
 /* ---- to and from arrangements ----------------------------------------------------------- */
 
-/* Does half-edge h go on where g ends, along the same chain in the same direction? */
-static bool continues(const kg_arrangement *a, size_t g, size_t h) {
-    const kg_arc *x = &a->arcs[g / 2], *y = &a->arcs[h / 2];
-    if (x->chain != y->chain || (g & 1) != (h & 1))
-        return false;
-    return true;
+/* The arc after (step 1) or before (step -1) another on its chain; arcs lie in the order of their
+ * chains. KG_NO_ARC at an open chain's end. */
+static size_t neighbour_arc(const kg_arrangement *a, size_t arc, int step) {
+    size_t chain = a->arcs[arc].chain, next = step > 0 ? arc + 1 : arc - 1;
+    if (next < a->arc_count && a->arcs[next].chain == chain)
+        return next;
+    if (!a->chains->items[chain].closed)
+        return KG_NO_ARC;
+    for (next = arc; next - (size_t)step < a->arc_count;) {
+        if (a->arcs[next - (size_t)step].chain != chain)
+            break;
+        next -= (size_t)step;
+    }
+    return next;
+}
+
+/* Does half-edge h go on where g ends, along the same chain in the same direction? Where loops of
+ * one cycle touch each other edges end, so that their common node stays known. */
+static bool continues(const kg_arrangement *a, size_t g, size_t h, bool touching) {
+    return (g & 1) == (h & 1) && !touching && neighbour_arc(a, g / 2, g & 1 ? -1 : 1) == h / 2;
 }
 
 static kg_cross_point half_point(const kg_arrangement *a, size_t h, size_t i) {
@@ -121,13 +135,17 @@ static kg_status loop_from_face(const kg_arrangement *a, const kg_face_loop *fac
                                 kg_region_loop *out) {
     const size_t *half = a->halfedges + face->first;
     size_t n = face->count, start = 0, total = 0, edges = 0;
+    bool touching = false;
+    for (size_t i = 0; i < a->loop_count; i++)
+        touching = touching || (a->loops[i].cycle == face->cycle && &a->loops[i] != face);
     /* begin where a chain changes, so that no edge runs over the loop's start */
-    while (start < n && continues(a, half[(start + n - 1) % n], half[start]))
+    while (start < n && continues(a, half[(start + n - 1) % n], half[start], touching))
         start++;
     start %= n;
     for (size_t k = 0; k < n; k++) {
         total += a->arcs[half[k] / 2].count - 1;
-        edges += k == 0 || !continues(a, half[(start + k - 1) % n], half[(start + k) % n]);
+        edges +=
+            k == 0 || !continues(a, half[(start + k - 1) % n], half[(start + k) % n], touching);
     }
     kg_region_loop loop = {.points = calloc(total, sizeof *loop.points),
                            .edges = calloc(edges, sizeof *loop.edges),
@@ -142,7 +160,7 @@ static kg_status loop_from_face(const kg_arrangement *a, const kg_face_loop *fac
         size_t h = half[(start + k) % n];
         const kg_arc *arc = &a->arcs[h / 2];
         const kg_chain *chain = &a->chains->items[arc->chain];
-        if (k == 0 || !continues(a, half[(start + k - 1) % n], h))
+        if (k == 0 || !continues(a, half[(start + k - 1) % n], h, touching))
             loop.edges[loop.edge_count++] =
                 (kg_region_edge){chain->kind, chain->source, loop.point_count, 0};
         for (size_t i = 0; i + 1 < arc->count; i++)

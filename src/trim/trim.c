@@ -9,7 +9,7 @@
 
 /* A piece narrower than this fraction of the patch (area over size times perimeter) is what
  * rounding leaves between nearly coincident curves, not paper. */
-#define SLIVER 1e-6
+#define SLIVER 2e-7
 
 static double loop_length(const kg_region_loop *loop) {
     double sum = 0;
@@ -152,29 +152,34 @@ typedef struct wanted_cutters {
     size_t count;
 } wanted_cutters;
 
-/* Borders every cutter and no side of the rectangle. */
+/* Is the arc on the boundary of a face, by itself or through the older arc it lies on? */
+static bool borders(const kg_arc *arc, size_t face) {
+    return (!arc->dropped || arc->doubles != KG_NO_ARC) &&
+           (arc->face[0] == face || arc->face[1] == face);
+}
+
+/* Borders every cutter and no side of the rectangle, unless a cutter lies along that. */
 static bool is_enclosed(const kg_arrangement *a, size_t face, const void *user) {
     const wanted_cutters *w = user;
-    size_t met = 0;
+    size_t met = 0, outline = 0;
     for (size_t k = 0; k < w->count; k++) {
         bool found = false;
-        for (size_t i = 0; i < a->arc_count && !found; i++) {
-            const kg_arc *arc = &a->arcs[i];
-            const kg_chain *c = &a->chains->items[arc->chain];
-            found = !arc->dropped && (arc->face[0] == face || arc->face[1] == face) &&
-                    c->kind == KG_EDGE_CUT && c->source == w->cuts[k].source;
+        for (size_t i = 0; i < a->arc_count; i++) {
+            const kg_chain *c = &a->chains->items[a->arcs[i].chain];
+            if (!borders(&a->arcs[i], face) || c->kind != KG_EDGE_CUT ||
+                c->source != w->cuts[k].source)
+                continue;
+            found = true;
+            size_t j = a->arcs[i].doubles;
+            if (j != KG_NO_ARC && a->chains->items[a->arcs[j].chain].kind == KG_EDGE_OUTLINE)
+                outline--;
         }
         met += found;
     }
-    if (met < w->count)
-        return false;
-    for (size_t i = 0; i < a->arc_count; i++) {
-        const kg_arc *arc = &a->arcs[i];
-        if (!arc->dropped && (arc->face[0] == face || arc->face[1] == face) &&
-            a->chains->items[arc->chain].kind == KG_EDGE_OUTLINE)
-            return false;
-    }
-    return true;
+    for (size_t i = 0; i < a->arc_count; i++)
+        outline += borders(&a->arcs[i], face) &&
+                   a->chains->items[a->arcs[i].chain].kind == KG_EDGE_OUTLINE;
+    return met == w->count && outline == 0;
 }
 
 static kg_status enclosed_faces(const kg_trim *t, const kg_region *region, wanted_cutters wanted,

@@ -78,7 +78,7 @@ static void coincidences_on_a_grid_never_break_the_partition(void **state) {
         scene_clear(&s);
     }
     print_message("%zu trims, %zu split\n", trims, split);
-    assert_true(trims > 1000 && split > 300);
+    assert_true(trims > 500 && split > 300);
 }
 
 int main(void) {
