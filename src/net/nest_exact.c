@@ -96,10 +96,12 @@ kg_status kg_nest_exact_create(const kg_nest_part *parts, size_t count, kg_nest_
     }
     for (size_t i = 0; i < count; i++) {
         exact->parts[i] = make_polygon(exact->geos, &parts[i]);
-        if (!exact->parts[i] || !(kg_nest_exact_area(exact, i) > 0)) {
-            kg_nest_exact_destroy(exact);
-            return kg_fail(error, KG_ERR_INPUT, "part %zu to nest has no area", i + 1);
-        }
+        bool made = exact->parts[i] != NULL;
+        if (made && kg_nest_exact_area(exact, i) > 0)
+            continue;
+        kg_nest_exact_destroy(exact);
+        return made ? kg_fail(error, KG_ERR_INPUT, "part %zu to nest has no area", i + 1)
+                    : kg_fail(error, KG_ERR_MEMORY, "no memory to nest part %zu", i + 1);
     }
     *out = exact;
     return KG_OK;
@@ -227,9 +229,11 @@ static bool boxes_near(kg_box2 a, kg_box2 b, double spacing) {
 static bool near(const kg_nest_exact *exact, size_t part, const GEOSGeometry *other,
                  double spacing) {
     const GEOSPreparedGeometry *prepared = exact->placed[part].prepared;
-    double within = fmax(spacing - ROUNDING, 0);
+    /* Not GEOSPreparedDistanceWithin_r, which compares every pair of segments in GEOS 3.11. */
+    double distance = 0;
     if (spacing > ROUNDING)
-        return GEOSPreparedDistanceWithin_r(exact->geos, prepared, other, within) != 0;
+        return !GEOSPreparedDistance_r(exact->geos, prepared, other, &distance) ||
+               distance < spacing - ROUNDING;
     return GEOSPreparedIntersects_r(exact->geos, prepared, other) != 0 &&
            GEOSPreparedTouches_r(exact->geos, prepared, other) != 1;
 }
