@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/json.h"
+#include "model/lookup.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -143,13 +144,40 @@ static kg_status read_object(reader *r, const json_t *parent, const char *key, c
     return KG_OK;
 }
 
-/* Keeps the object as it was read, so that what this version does not know survives. */
-static kg_status keep_json(const json_t *v, json_t **out) {
-    *out = json_deep_copy(v);
-    return *out ? KG_OK : KG_ERR_MEMORY;
+/* Keeps the object as it was read, so that what this version does not know survives. It is never
+ * changed in place, so it can be shared. */
+static json_t *keep_json(const json_t *v) {
+    return json_incref((json_t *)(uintptr_t)v);
 }
 
 /* ---- trims ------------------------------------------------------------------------------ */
+
+static kg_status read_cutter(reader *r, const json_t *v, kg_trim_op *op) {
+    if (!json_is_integer(v))
+        return fail_at(r, "a patch id (a whole number) is wanted here");
+    if (json_integer_value(v) == r->patch)
+        return fail_at(r, "a patch cannot cut itself");
+    op->by[op->by_count++] = json_integer_value(v);
+    return KG_OK;
+}
+
+static kg_status check_repeats(reader *r, const kg_trim_op *op) {
+    kg_lookup ids;
+    kg_status status = kg_lookup_create(op->by_count, &ids);
+    if (status)
+        return status;
+    for (size_t i = 0; i < op->by_count; i++)
+        kg_lookup_add(&ids, op->by[i], i);
+    kg_lookup_sort(&ids);
+    for (size_t i = 1; i < ids.count && !status; i++)
+        if (ids.entries[i].id == ids.entries[i - 1].id) {
+            enter(r, NULL, ids.entries[i].index);
+            status = fail_at(r, "patch %lld is named twice", (long long)ids.entries[i].id);
+            leave(r);
+        }
+    kg_lookup_clear(&ids);
+    return status;
+}
 
 static kg_status read_by(reader *r, const json_t *v, kg_trim_op *op) {
     if (!json_is_array(v) || json_array_size(v) == 0)
@@ -157,23 +185,13 @@ static kg_status read_by(reader *r, const json_t *v, kg_trim_op *op) {
     op->by = calloc(json_array_size(v), sizeof *op->by);
     if (!op->by)
         return KG_ERR_MEMORY;
-    for (size_t i = 0; i < json_array_size(v); i++) {
-        const json_t *id = json_array_get(v, i);
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < json_array_size(v) && !status; i++) {
         enter(r, NULL, i);
-        kg_status status = KG_OK;
-        if (!json_is_integer(id))
-            status = fail_at(r, "a patch id (a whole number) is wanted here");
-        else if (json_integer_value(id) == r->patch)
-            status = fail_at(r, "a patch cannot cut itself");
-        for (size_t k = 0; k < op->by_count && !status; k++)
-            if (op->by[k] == json_integer_value(id))
-                status = fail_at(r, "patch %lld is named twice", (long long)op->by[k]);
+        status = read_cutter(r, json_array_get(v, i), op);
         leave(r);
-        if (status)
-            return status;
-        op->by[op->by_count++] = json_integer_value(id);
     }
-    return KG_OK;
+    return status ? status : check_repeats(r, op);
 }
 
 static kg_status read_contour(reader *r, const json_t *v, kg_trim_op *op) {
@@ -224,9 +242,10 @@ static kg_status read_cut(reader *r, const json_t *v, kg_trim_op *op) {
 static kg_status read_trim(reader *r, const json_t *v, kg_trim_op *op) {
     if (!json_is_object(v))
         return fail_at(r, "a trim is an object: { … }");
-    kg_status status = keep_json(v, &op->json);
-    if (!status)
-        status = read_bool(r, v, "off", &op->off);
+    if (json_object_get(v, "by") && json_object_get(v, "contour"))
+        return fail_at(r, "a trim has \"by\" or a \"contour\", not both");
+    op->json = keep_json(v);
+    kg_status status = read_bool(r, v, "off", &op->off);
     if (!status)
         status = json_object_get(v, "contour") ? read_contour(r, v, op) : read_cut(r, v, op);
     return status;
@@ -299,13 +318,14 @@ static kg_status read_patch(reader *r, const json_t *v, kg_model_patch *p) {
         return fail_at(r, "a patch is an object: { … }");
     if (!json_is_integer(id))
         return fail_at(r, "a patch needs an \"id\", a whole number");
+    if (json_integer_value(id) < 1)
+        return fail_at(r, "ids start at 1, so there is no patch %lld",
+                       (long long)json_integer_value(id));
     p->id = r->patch = json_integer_value(id);
     r->in_patch = true;
-    kg_status status = keep_json(v, &p->json);
-    if (!status && !(p->name = strdup("")))
-        status = KG_ERR_MEMORY;
-    if (!status)
-        status = read_string(r, v, "name", &p->name);
+    p->json = keep_json(v);
+    p->name = strdup("");
+    kg_status status = p->name ? read_string(r, v, "name", &p->name) : KG_ERR_MEMORY;
     if (!status)
         status = read_points(r, json_object_get(v, "points"), &p->input);
     if (!status)
@@ -324,31 +344,44 @@ static kg_status read_patch(reader *r, const json_t *v, kg_model_patch *p) {
     return status;
 }
 
+/* Does every cutter of a patch exist? */
+static kg_status check_cutters(reader *r, const kg_model_patch *p, const kg_lookup *ids) {
+    kg_status status = KG_OK;
+    for (size_t n = 0; n < p->trim_count && !status; n++)
+        for (size_t b = 0; b < p->trims[n].by_count && !status; b++) {
+            if (kg_lookup_find(ids, p->trims[n].by[b]))
+                continue;
+            enter(r, "trims", 0), enter(r, NULL, n), enter(r, "by", 0), enter(r, NULL, b);
+            status =
+                fail_at(r, "there is no patch %lld to cut it with", (long long)p->trims[n].by[b]);
+            leave(r), leave(r), leave(r), leave(r);
+        }
+    return status;
+}
+
 /* Ids: all different, and every cutter exists. */
 static kg_status check_ids(reader *r, const kg_model *m) {
-    for (size_t i = 0; i < m->patch_count; i++) {
+    kg_lookup ids;
+    kg_status status = kg_lookup_create(m->patch_count, &ids);
+    if (status)
+        return status;
+    for (size_t i = 0; i < m->patch_count; i++)
+        kg_lookup_add(&ids, m->patches[i].id, i);
+    kg_lookup_sort(&ids);
+    for (size_t i = 0; i < m->patch_count && !status; i++) {
         const kg_model_patch *p = &m->patches[i];
-        kg_status status = KG_OK;
         enter(r, NULL, i);
-        if (kg_model_find(m, p->id) != p)
+        if (kg_lookup_find(&ids, p->id)->index != i)
             status = fail_at(r, "two patches have the id %lld", (long long)p->id);
         r->patch = p->id;
         r->in_patch = true;
-        for (size_t n = 0; n < p->trim_count && !status; n++)
-            for (size_t b = 0; b < p->trims[n].by_count && !status; b++) {
-                if (kg_model_find(m, p->trims[n].by[b]))
-                    continue;
-                enter(r, "trims", 0), enter(r, NULL, n), enter(r, "by", 0);
-                status = fail_at(r, "there is no patch %lld to cut it with",
-                                 (long long)p->trims[n].by[b]);
-                leave(r), leave(r), leave(r);
-            }
+        if (!status)
+            status = check_cutters(r, p, &ids);
         r->in_patch = false;
         leave(r);
-        if (status)
-            return status;
     }
-    return KG_OK;
+    kg_lookup_clear(&ids);
+    return status;
 }
 
 static kg_status read_patches(reader *r, const json_t *root, kg_model *m) {
@@ -402,17 +435,18 @@ static kg_status read_reference(reader *r, const json_t *root, kg_reference *ref
         return status;
     char *up = NULL;
     enter(r, "reference", 0);
-    status = keep_json(v, &ref->json);
-    if (!status)
-        status = read_string(r, v, "file", &ref->file);
+    ref->json = keep_json(v);
+    status = read_string(r, v, "file", &ref->file);
     if (!status)
         status = read_double(r, v, "size_mm", &ref->size_mm);
-    if (!status && ref->size_mm < 0)
+    if (!status && json_object_get(v, "size_mm") && !(ref->size_mm > 0))
         status = fail_at(r, "\"size_mm\" is a length above 0");
     if (!status)
         status = read_bool(r, v, "visible", &ref->visible);
     if (!status)
         status = read_double(r, v, "opacity", &ref->opacity);
+    if (!status && !(ref->opacity >= 0 && ref->opacity <= 1))
+        status = fail_at(r, "\"opacity\" lies between 0 and 1");
     if (!status)
         status = read_matrix(r, json_object_get(v, "matrix"), ref);
     if (!status)
@@ -431,9 +465,8 @@ static kg_status read_net(reader *r, const json_t *root, kg_model_net *net) {
     if (status || !v)
         return status;
     enter(r, "net", 0);
-    status = keep_json(v, &net->json);
-    if (!status)
-        status = read_string(r, v, "paper", &net->paper);
+    net->json = keep_json(v);
+    status = read_string(r, v, "paper", &net->paper);
     if (!status)
         status = read_double(r, v, "margin", &net->margin);
     if (!status)
@@ -446,7 +479,8 @@ static kg_status read_net(reader *r, const json_t *root, kg_model_net *net) {
     return status;
 }
 
-static kg_status read_root(reader *r, const json_t *root, kg_model *m) {
+/* Version and kind: is this a file for this reader at all? */
+static kg_status check_header(reader *r, const json_t *root) {
     const json_t *version = json_object_get(root, "katagami");
     const char *kind = json_string_value(json_object_get(root, "kind"));
     if (!json_is_object(root) || !json_is_integer(version))
@@ -466,11 +500,17 @@ static kg_status read_root(reader *r, const json_t *root, kg_model *m) {
         return fail_at(r, "a patch model has \"kind\": \"patches\"%s%s%s",
                        kind ? ", this one is \"" : "", kind ? kind : "", kind ? "\"" : "");
     leave(r);
-    kg_status status = keep_json(root, &m->json);
-    if (!status && json_object_get(m->json, "patches")) /* each patch keeps its own */
-        status = json_object_set_new(m->json, "patches", json_array()) ? KG_ERR_MEMORY : KG_OK;
-    if (!status)
-        status = read_string(r, root, "title", &m->title);
+    return KG_OK;
+}
+
+static kg_status read_root(reader *r, const json_t *root, kg_model *m) {
+    kg_status status = check_header(r, root);
+    if (status)
+        return status;
+    m->json = json_copy((json_t *)(uintptr_t)root);
+    if (!m->json || json_object_set_new(m->json, "patches", json_array()))
+        return KG_ERR_MEMORY; /* each patch keeps its own */
+    status = read_string(r, root, "title", &m->title);
     if (!status)
         status = read_reference(r, root, &m->reference);
     if (!status)
@@ -483,10 +523,13 @@ static kg_status read_root(reader *r, const json_t *root, kg_model *m) {
 kg_status kg_model_read_memory(const char *data, size_t size, const char *name,
                                kg_model **out_model, kg_error *error) {
     json_error_t where;
+    if (size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0)
+        data += 3, size -= 3; /* the mark that some editors put in front */
     json_t *root = json_loadb(data, size, JSON_REJECT_DUPLICATES, &where);
     if (!root)
-        return kg_fail(error, KG_ERR_PARSE, "%s:%d: %s", name, where.line < 1 ? 1 : where.line,
-                       where.text);
+        return kg_fail(
+            error, KG_ERR_PARSE, "%s:%d: %s%s", name, where.line < 1 ? 1 : where.line, where.text,
+            json_error_code(&where) == json_error_invalid_utf8 ? "; save the file as UTF-8" : "");
     char *text = malloc(size + 1); /* zero-terminated for the search of lines */
     kg_model *m = kg_model_create();
     kg_status status = KG_ERR_MEMORY;

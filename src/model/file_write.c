@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The kept object to write into, or a new one. */
+/* A copy of the kept object to write into, or a new one. Members are replaced, never changed. */
 static json_t *start(const json_t *kept) {
-    return kept ? json_deep_copy(kept) : json_object();
+    return kept ? json_copy((json_t *)(uintptr_t)kept) : json_object();
 }
 
 /* Sets a member and takes over `value`; false when memory ran out anywhere. */
@@ -24,6 +24,15 @@ static bool set_unless(json_t *object, const char *key, bool is_default, json_t 
         return true;
     }
     return set(object, key, value);
+}
+
+/* Sets a member that is there, takes out one that is not. */
+static bool set_if(json_t *object, const char *key, bool is_there, json_t *value) {
+    if (is_there)
+        return set(object, key, value);
+    json_decref(value);
+    json_object_del(object, key);
+    return true;
 }
 
 /* Whole numbers without a decimal point, as people write them. */
@@ -62,9 +71,11 @@ static json_t *write_op(const kg_trim_op *op) {
     json_t *o = start(op->json), *by = json_array();
     bool ok = o && by;
     if (op->kind == KG_TRIM_CONTOUR) {
+        json_object_del(o, "by"); /* of a trim that became a contour */
         ok = ok && set(o, "contour", rows(&op->contour->x, op->contour_count, 2)) &&
              set(o, "keep", json_string(op->outside ? "outside" : "inside"));
     } else {
+        json_object_del(o, "contour");
         for (size_t i = 0; i < op->by_count && ok; i++)
             ok = json_array_append_new(by, json_integer(op->by[i])) == 0;
         ok = ok && set(o, "by", json_incref(by)) &&
@@ -93,11 +104,8 @@ static json_t *write_patch(const kg_model_patch *p) {
               set(o, "extent", numbers(in->extent, 2)) &&
               set_unless(o, "flip", !in->flip, json_boolean(in->flip)) &&
               set_unless(o, "hidden", !p->hidden, json_boolean(p->hidden)) &&
-              set_unless(o, "construction", !p->construction, json_boolean(p->construction));
-    if (ok && in->has_ruling)
-        ok = set(o, "ruling", numbers(&in->ruling.x, 3));
-    else if (ok)
-        json_object_del(o, "ruling");
+              set_unless(o, "construction", !p->construction, json_boolean(p->construction)) &&
+              set_if(o, "ruling", in->has_ruling, numbers(&in->ruling.x, 3));
     for (size_t i = 0; i < p->trim_count && ok; i++)
         ok = json_array_append_new(trims, write_op(&p->trims[i])) == 0;
     ok = ok && set_unless(o, "trims", p->trim_count == 0, json_incref(trims));
@@ -111,13 +119,12 @@ static json_t *write_patch(const kg_model_patch *p) {
 
 static json_t *write_reference(const kg_reference *ref) {
     json_t *o = start(ref->json);
-    bool ok = o && set(o, "file", json_string(ref->file)) &&
-              set_unless(o, "size_mm", ref->size_mm == 0, number(ref->size_mm)) &&
+    bool ok = o && set_if(o, "file", ref->file != NULL, json_string(ref->file)) &&
+              set_if(o, "size_mm", ref->size_mm > 0, number(ref->size_mm)) &&
+              set_if(o, "matrix", ref->has_matrix, rows(ref->matrix, 4, 4)) &&
               set_unless(o, "visible", ref->visible, json_boolean(ref->visible)) &&
               set_unless(o, "opacity", ref->opacity == 0.4, number(ref->opacity)) &&
               set_unless(o, "up", !ref->up_y, json_string(ref->up_y ? "y" : "z"));
-    if (ok && ref->has_matrix)
-        ok = set(o, "matrix", rows(ref->matrix, 4, 4));
     if (!ok) {
         json_decref(o);
         return NULL;
@@ -144,11 +151,10 @@ static json_t *write_root(const kg_model *m) {
     bool ok = o && patches && net && set(o, "katagami", json_integer(KG_MODEL_VERSION)) &&
               set(o, "kind", json_string("patches")) &&
               set_unless(o, "title", m->title[0] == '\0', json_string(m->title));
-    if (ok && m->reference.file)
-        ok = set(o, "reference", write_reference(&m->reference));
-    else if (ok)
-        json_object_del(o, "reference");
-    ok = ok && set_unless(o, "net", json_object_size(net) == 0, json_incref(net));
+    ok = ok &&
+         set_if(o, "reference", m->reference.file || m->reference.json,
+                write_reference(&m->reference)) &&
+         set_unless(o, "net", json_object_size(net) == 0, json_incref(net));
     for (size_t i = 0; i < m->patch_count && ok; i++)
         ok = json_array_append_new(patches, write_patch(&m->patches[i])) == 0;
     ok = ok && set(o, "patches", json_incref(patches));

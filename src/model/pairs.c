@@ -11,11 +11,18 @@ static void destroy_pair(kg_pair *pair) {
     free(pair);
 }
 
-static kg_pair **lookup(kg_pairs *pairs, int64_t a, int64_t b) {
-    for (size_t i = 0; i < pairs->count; i++)
-        if (pairs->items[i] && pairs->items[i]->id[0] == a && pairs->items[i]->id[1] == b)
-            return &pairs->items[i];
-    return NULL;
+/* Where the pair is, or would be put. */
+static size_t position_of(const kg_pairs *pairs, int64_t lo_id, int64_t hi_id) {
+    size_t lo = 0, hi = pairs->count;
+    while (lo < hi) {
+        size_t mid = lo + (hi - lo) / 2;
+        const int64_t *id = pairs->items[mid]->id;
+        if (id[0] < lo_id || (id[0] == lo_id && id[1] < hi_id))
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    return lo;
 }
 
 static kg_status copy_crossings(const kg_crossings *from, kg_crossings *out) {
@@ -58,34 +65,47 @@ static kg_status compute(const kg_pair_side *lo, const kg_pair_side *hi, double 
     return KG_OK;
 }
 
-kg_status kg_pairs_find(kg_pairs *pairs, kg_pairs *old, const kg_pair_side sides[2],
-                        double tolerance, const kg_crossings **out_crossings, kg_error *error) {
+kg_status kg_pairs_find(kg_pairs *pairs, const kg_pair_side sides[2], double tolerance,
+                        const kg_crossings **out_crossings, kg_error *error) {
     size_t low = sides[0].id < sides[1].id ? 0 : 1;
     const kg_pair_side *lo = &sides[low], *hi = &sides[1 - low];
-    kg_pair **known = lookup(pairs, lo->id, hi->id), *pair = known ? *known : NULL;
-    if (!pair) {
-        kg_pair **lent = old ? lookup(old, lo->id, hi->id) : NULL;
-        if (lent && (*lent)->input[0] == lo->input && (*lent)->input[1] == hi->input) {
-            pair = *lent;
-            *lent = NULL;
-        } else {
-            kg_status status = compute(lo, hi, tolerance, &pair, error);
-            if (status)
-                return status;
-        }
+    size_t at = position_of(pairs, lo->id, hi->id);
+    bool known =
+        at < pairs->count && pairs->items[at]->id[0] == lo->id && pairs->items[at]->id[1] == hi->id;
+    if (!known) {
+        kg_pair *pair = NULL;
+        kg_status status = compute(lo, hi, tolerance, &pair, error);
+        if (status)
+            return status;
         if (!kg_push(pairs, pair)) {
             destroy_pair(pair);
             return KG_ERR_MEMORY;
         }
+        memmove(pairs->items + at + 1, pairs->items + at,
+                (pairs->count - 1 - at) * sizeof *pairs->items);
+        pairs->items[at] = pair;
     }
-    *out_crossings = &pair->seen[low];
+    *out_crossings = &pairs->items[at]->seen[low];
+    return KG_OK;
+}
+
+kg_status kg_pairs_adopt(kg_pairs *pairs, kg_pairs *old,
+                         bool (*holds)(const void *user, const kg_pair *pair), const void *user) {
+    if (!kg_reserve(pairs, old->count))
+        return KG_ERR_MEMORY;
+    for (size_t i = 0; i < old->count; i++) {
+        if (holds(user, old->items[i]))
+            pairs->items[pairs->count++] = old->items[i];
+        else
+            destroy_pair(old->items[i]);
+    }
+    old->count = 0;
     return KG_OK;
 }
 
 void kg_pairs_clear(kg_pairs *pairs) {
     for (size_t i = 0; i < pairs->count; i++)
-        if (pairs->items[i])
-            destroy_pair(pairs->items[i]);
+        destroy_pair(pairs->items[i]);
     free(pairs->items);
     *pairs = (kg_pairs){0};
 }

@@ -20,16 +20,22 @@ typedef struct kg_pair {
     kg_crossings seen[2]; /* with id[0] as A, with id[1] as A */
 } kg_pair;
 
+/* In the order of ids. */
 typedef struct kg_pairs {
     kg_pair **items;
     size_t count, capacity;
 } kg_pairs;
 
-/* The crossings with sides[0] as A: from `pairs`, else taken over from `old` (may be NULL) where
- * neither patch changed, else computed. The result lives as long as `pairs`. */
-kg_status kg_pairs_find(kg_pairs *pairs, kg_pairs *old, const kg_pair_side sides[2],
-                        double tolerance, const kg_crossings **out_crossings,
-                        kg_error *error) KG_CHECKED;
+/* The crossings with sides[0] as A: from `pairs`, else computed and kept there, where they live as
+ * long as `pairs`. KG_ERR_INPUT names the pair. */
+kg_status kg_pairs_find(kg_pairs *pairs, const kg_pair_side sides[2], double tolerance,
+                        const kg_crossings **out_crossings, kg_error *error) KG_CHECKED;
+
+/* Moves to `pairs`, which is empty, all of `old` that `holds` says still hold; the rest is freed.
+ */
+kg_status kg_pairs_adopt(kg_pairs *pairs, kg_pairs *old,
+                         bool (*holds)(const void *user, const kg_pair *pair),
+                         const void *user) KG_CHECKED;
 void kg_pairs_clear(kg_pairs *pairs);
 
 #endif

@@ -1,13 +1,23 @@
 #include "katagami/model.h"
 
 #include "base/array.h"
+#include "model/border.h"
+#include "model/lookup.h"
 #include "model/pairs.h"
+#include "model/signature.h"
 #include "trim/region.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Longest chain of patches that need each other's trimmed regions: each costs stack. */
+enum { MAX_CHAIN = 200 };
+
+/* A point of a face this many chord errors from a piece's boundary is on it: both are polylines of
+ * the same curve, each off by one chord error. */
+#define NEAR_FACE 4.0
 
 typedef enum solve_state { WAITING, WORKING, DONE } solve_state;
 
@@ -18,8 +28,11 @@ struct kg_solution {
     kg_solved_patch *patches;
     uint64_t *inputs; /* hash of each patch's input */
     solve_state *states;
+    kg_lookup places; /* of the patches, by id */
+    kg_lookup wishes; /* patches with multi-surface trims that trim their cutters, by cutter */
     kg_pairs pairs;
     kg_solution *previous; /* only while solving */
+    int depth;             /* patches that wait for the trimmed regions of the next */
     struct {
         kg_issue *items;
         size_t count, capacity;
@@ -50,45 +63,47 @@ static kg_status fault(kg_solution *s, kg_solved_patch *p, const char *code, kg_
     return add_issue(s, KG_FAULT, p->id, code, "%s", error->message);
 }
 
-/* ---- signatures: what a result depends on ----------------------------------------------- */
-
-/* FNV-1a */
-static uint64_t hash_bytes(uint64_t h, const void *data, size_t size) {
-    const unsigned char *p = data;
-    for (size_t i = 0; i < size; i++)
-        h = (h ^ p[i]) * 0x100000001b3u;
-    return h;
-}
-
-static uint64_t hash_input(const kg_patch_input *in) {
-    uint64_t h = 0xcbf29ce484222325u;
-    unsigned char flags[2] = {in->flip, in->has_ruling};
-    h = hash_bytes(h, in->points, in->point_count * sizeof in->points[0]);
-    h = hash_bytes(h, in->extent, sizeof in->extent);
-    h = hash_bytes(h, flags, sizeof flags);
-    return in->has_ruling ? hash_bytes(h, &in->ruling, sizeof in->ruling) : h;
-}
-
-static uint64_t hash_op(uint64_t h, const kg_trim_op *op) {
-    unsigned char flags[5] = {(unsigned char)op->kind, op->off, op->bounded, op->trim_cutters,
-                              op->outside};
-    h = hash_bytes(h, flags, sizeof flags);
-    if (op->by_count)
-        h = hash_bytes(h, op->by, op->by_count * sizeof *op->by);
-    if (op->keep_count)
-        h = hash_bytes(h, op->keep, op->keep_count * sizeof *op->keep);
-    if (op->contour_count)
-        h = hash_bytes(h, op->contour, op->contour_count * sizeof *op->contour);
-    return h;
-}
-
 /* ---- looking up ------------------------------------------------------------------------- */
 
 static size_t index_of(const kg_solution *s, int64_t id) {
-    for (size_t i = 0; i < s->count; i++)
-        if (s->patches[i].id == id)
-            return i;
-    return s->count;
+    const kg_lookup_entry *e = kg_lookup_find(&s->places, id);
+    return e ? e->index : s->count;
+}
+
+/* Runs over the patches whose multi-surface trims ask for a cut of this one. Start with NULL. */
+static const kg_lookup_entry *next_wish(const kg_solution *s, int64_t id,
+                                        const kg_lookup_entry *before) {
+    if (!before)
+        return kg_lookup_find(&s->wishes, id);
+    const kg_lookup_entry *next = before + 1, *end = s->wishes.entries + s->wishes.count;
+    return next < end && next->id == id ? next : NULL;
+}
+
+/* Sorts ids and wishes for the lookups. */
+static kg_status index_model(kg_solution *s) {
+    const kg_model *m = s->model;
+    size_t wishes = 0;
+    for (size_t i = 0; i < m->patch_count; i++)
+        for (size_t n = 0; n < m->patches[i].trim_count; n++)
+            wishes += m->patches[i].trims[n].by_count;
+    kg_status status = kg_lookup_create(m->patch_count, &s->places);
+    if (!status)
+        status = kg_lookup_create(wishes, &s->wishes);
+    for (size_t i = 0; i < m->patch_count && !status; i++) {
+        kg_lookup_add(&s->places, m->patches[i].id, i);
+        for (size_t n = 0; n < m->patches[i].trim_count; n++) {
+            const kg_trim_op *op = &m->patches[i].trims[n];
+            for (size_t b = 0; b < op->by_count; b++)
+                if (op->kind == KG_TRIM_INSIDE && op->trim_cutters && !op->off &&
+                    op->by[b] != m->patches[i].id)
+                    kg_lookup_add(&s->wishes, op->by[b], i);
+        }
+    }
+    if (!status) {
+        kg_lookup_sort(&s->places);
+        kg_lookup_sort(&s->wishes);
+    }
+    return status;
 }
 
 static const kg_patch *find_patch(const void *user, int64_t id) {
@@ -129,7 +144,7 @@ static kg_status prepare(kg_solution *s, size_t i) {
     kg_solved_patch *p = &s->patches[i];
     kg_error error;
     *p = (kg_solved_patch){.id = m->id, .construction = m->construction, .valid = true};
-    s->inputs[i] = hash_input(&m->input);
+    s->inputs[i] = kg_hash_input(&m->input);
     const kg_solution *old = s->previous;
     size_t k = old ? index_of(old, m->id) : 0;
     if (old && k < old->count && old->inputs[k] == s->inputs[i] && old->patches[k].prepared) {
@@ -151,10 +166,9 @@ static kg_status solve_patch(kg_solution *s, size_t i);
 /* The crossings of two patches with the first as A; faults name the pair. */
 static kg_status crossings_of(kg_solution *s, size_t a, size_t b, const kg_crossings **out,
                               kg_error *error) {
-    const kg_pairs *old = s->previous ? &s->previous->pairs : NULL;
     kg_pair_side sides[2] = {{s->patches[a].id, s->inputs[a], &s->patches[a].patch},
                              {s->patches[b].id, s->inputs[b], &s->patches[b].patch}};
-    return kg_pairs_find(&s->pairs, (kg_pairs *)(uintptr_t)old, sides, s->tolerance, out, error);
+    return kg_pairs_find(&s->pairs, sides, s->tolerance, out, error);
 }
 
 /* A cut of patch i by the patch with this id. */
@@ -179,6 +193,10 @@ static kg_status make_cut(kg_solution *s, size_t i, int64_t by, bool bounded, kg
         kg_status status = solve_patch(s, k);
         if (status)
             return status;
+        if (!s->patches[k].valid)
+            return kg_fail(error, KG_ERR_INPUT,
+                           "is trimmed by the trimmed region of patch %lld, which has a fault",
+                           (long long)by);
         out->bounded = &s->patches[k].regions;
     }
     return crossings_of(s, i, k, &out->crossings, error);
@@ -235,23 +253,25 @@ static kg_status warn_notes(kg_solution *s, int64_t patch, const kg_trim_notes *
     return status;
 }
 
-/* Is the middle of some edge of `piece` made by `patch` on the boundary of the patch's regions? */
-static bool borders_face(const kg_region *piece, int64_t patch, const kg_regions *faces,
-                         double near) {
-    for (size_t l = 0; l < piece->loop_count; l++)
-        for (size_t k = 0; k < piece->loops[l].edge_count; k++) {
-            const kg_region_edge *e = &piece->loops[l].edges[k];
-            if (e->kind != KG_EDGE_CUT || e->source != patch)
-                continue;
-            kg_vec3 x = kg_region_edge_point(&piece->loops[l], e, e->count / 2).x;
-            for (size_t f = 0; f < faces->count; f++)
-                for (size_t m = 0; m < faces->items[f].loop_count; m++) {
-                    const kg_region_loop *loop = &faces->items[f].loops[m];
-                    for (size_t q = 0; q < loop->point_count; q++)
-                        if (kg_dist(loop->points[q].x, x) <= near)
-                            return true;
-                }
-        }
+/* Is the middle of an edge that patch i made on the regions of patch k on the piece's boundary? */
+static bool borders_face(const kg_solution *s, size_t i, const kg_region *piece, size_t k) {
+    const kg_regions *faces = &s->patches[k].regions;
+    const kg_patch *patch = &s->patches[i].patch;
+    for (size_t f = 0; f < faces->count; f++)
+        for (size_t l = 0; l < faces->items[f].loop_count; l++)
+            for (size_t e = 0; e < faces->items[f].loops[l].edge_count; e++) {
+                const kg_region_loop *loop = &faces->items[f].loops[l];
+                const kg_region_edge *edge = &loop->edges[e];
+                if (edge->kind != KG_EDGE_CUT || edge->source != s->patches[i].id)
+                    continue;
+                kg_cross_point middle =
+                    kg_region_edge_at(&s->patches[k].patch, loop, edge, patch, edge->count / 2,
+                                      edge->count == 1 ? 0.5 : 0, NULL);
+                for (size_t n = 0; n < piece->loop_count; n++)
+                    if (kg_loop_near(patch, &piece->loops[n], 0, piece->loops[n].point_count,
+                                     middle.s, middle.t, NEAR_FACE * s->tolerance))
+                        return true;
+            }
     return false;
 }
 
@@ -259,14 +279,18 @@ static bool borders_face(const kg_region *piece, int64_t patch, const kg_regions
  * that trim's face. */
 static kg_status trim_cutter(kg_solution *s, size_t i, size_t k, const kg_trim *trim,
                              const kg_regions *in, kg_regions *out, kg_error *error) {
+    long long other = s->patches[k].id;
     if (s->states[k] == WORKING)
         return kg_fail(error, KG_ERR_INPUT,
                        "and patch %lld wait for each other's trimmed regions; switch off "
                        "\"bounded\" or \"trim_cutters\" in one of them",
-                       (long long)s->patches[k].id);
+                       other);
     kg_cut cut;
     kg_regions pieces = {0};
     kg_status status = solve_patch(s, k);
+    if (!status && !s->patches[k].valid)
+        return kg_fail(error, KG_ERR_INPUT, "is a cutter trimmed by patch %lld, which has a fault",
+                       other);
     if (!status)
         status = make_cut(s, i, s->patches[k].id, false, &cut, error);
     if (!status)
@@ -276,20 +300,22 @@ static kg_status trim_cutter(kg_solution *s, size_t i, size_t k, const kg_trim *
     size_t best = pieces.count;
     double largest = 0;
     for (size_t p = 0; p < pieces.count; p++) {
-        /* both sides store the same crossing, so its points are equal */
-        bool along = borders_face(&pieces.items[p], s->patches[k].id, &s->patches[k].regions,
-                                  KG_CROSSING_EXACT * trim->patch->size);
         double area = kg_region_measure(trim->patch, &pieces.items[p], trim->finder).paper_moment;
-        if (along && area > largest)
+        if (area > largest && borders_face(s, i, &pieces.items[p], k))
             largest = area, best = p;
     }
-    for (size_t p = 0; p < pieces.count && best < pieces.count; p++)
+    for (size_t p = 0; p < pieces.count; p++)
         if (p != best)
             kg_region_clear(&pieces.items[p]);
-    if (best < pieces.count) {
-        pieces.items[0] = pieces.items[best];
-        pieces.count = 1;
+    if (best == pieces.count) {
+        free(pieces.items);
+        return kg_fail(error, KG_ERR_INPUT,
+                       "is trimmed away along patch %lld, which trims its cutters; change its own "
+                       "trims or switch off \"trim_cutters\" there",
+                       other);
     }
+    pieces.items[0] = pieces.items[best];
+    pieces.count = 1;
     *out = pieces;
     return KG_OK;
 }
@@ -301,36 +327,30 @@ static kg_status sign(kg_solution *s, size_t i, uint64_t *out_signature) {
     uint64_t h = s->inputs[i];
     for (size_t n = 0; n < m->trim_count; n++) {
         const kg_trim_op *op = &m->trims[n];
-        h = hash_op(h, op);
+        h = kg_hash_op(h, op);
         for (size_t b = 0; b < op->by_count && !op->off; b++) {
             size_t k = index_of(s, op->by[b]);
             if (k == s->count)
                 continue;
-            h = hash_bytes(h, &s->inputs[k], sizeof s->inputs[k]);
+            h = kg_hash_bytes(h, &s->inputs[k], sizeof s->inputs[k]);
             if (!op->bounded || s->states[k] == WORKING)
                 continue;
             kg_status status = solve_patch(s, k);
             if (status)
                 return status;
-            h = hash_bytes(h, &s->patches[k].signature, sizeof s->patches[k].signature);
+            h = kg_hash_bytes(h, &s->patches[k].signature, sizeof s->patches[k].signature);
         }
     }
-    for (size_t k = 0; k < s->count; k++)
-        for (size_t n = 0; n < s->model->patches[k].trim_count; n++) {
-            const kg_trim_op *op = &s->model->patches[k].trims[n];
-            bool named = false;
-            for (size_t b = 0; b < op->by_count; b++)
-                named = named || op->by[b] == m->id;
-            if (op->off || !op->trim_cutters || !named)
-                continue;
-            h = hash_bytes(h, &s->patches[k].id, sizeof s->patches[k].id);
-            if (k == i || s->states[k] == WORKING)
-                continue;
-            kg_status status = solve_patch(s, k);
-            if (status)
-                return status;
-            h = hash_bytes(h, &s->patches[k].signature, sizeof s->patches[k].signature);
-        }
+    for (const kg_lookup_entry *w = NULL; (w = next_wish(s, m->id, w));) {
+        const kg_solved_patch *by = &s->patches[w->index];
+        h = kg_hash_bytes(h, &by->id, sizeof by->id);
+        if (s->states[w->index] == WORKING)
+            continue;
+        kg_status status = solve_patch(s, w->index);
+        if (status)
+            return status;
+        h = kg_hash_bytes(h, &by->signature, sizeof by->signature);
+    }
     *out_signature = h;
     return KG_OK;
 }
@@ -372,16 +392,10 @@ static kg_status trim_patch(kg_solution *s, size_t i, kg_error *error) {
         status = apply_op(s, i, n, &trim, &p->regions, &next, error);
         advance(&p->regions, &next, status);
     }
-    for (size_t k = 0; k < s->count && !status; k++)
-        for (size_t n = 0; n < s->model->patches[k].trim_count && !status; n++) {
-            const kg_trim_op *op = &s->model->patches[k].trims[n];
-            for (size_t b = 0; b < op->by_count && !status; b++) {
-                if (op->off || !op->trim_cutters || op->by[b] != m->id || k == i)
-                    continue;
-                status = trim_cutter(s, i, k, &trim, &p->regions, &next, error);
-                advance(&p->regions, &next, status);
-            }
-        }
+    for (const kg_lookup_entry *w = NULL; !status && (w = next_wish(s, m->id, w));) {
+        status = trim_cutter(s, i, w->index, &trim, &p->regions, &next, error);
+        advance(&p->regions, &next, status);
+    }
     return status;
 }
 
@@ -389,12 +403,20 @@ static kg_status solve_patch(kg_solution *s, size_t i) {
     kg_solved_patch *p = &s->patches[i];
     if (s->states[i] != WAITING)
         return KG_OK;
-    s->states[i] = WORKING;
     kg_status status = KG_OK;
-    if (p->prepared && !(status = sign(s, i, &p->signature)) && !reuse(s, p)) {
-        kg_error error;
+    kg_error error;
+    s->states[i] = WORKING;
+    s->depth++;
+    if (s->depth > MAX_CHAIN)
+        status = fault(s, p, "bad-trim",
+                       kg_fail(&error, KG_ERR_INPUT,
+                               "is at the end of a chain of more than %d patches that need each "
+                               "other's trimmed regions; switch off \"bounded\" in one of them",
+                               MAX_CHAIN),
+                       &error);
+    else if (p->prepared && !(status = sign(s, i, &p->signature)) && !reuse(s, p))
         status = fault(s, p, "bad-trim", trim_patch(s, i, &error), &error);
-    }
+    s->depth--;
     if (!status)
         status = warn_notes(s, p->id, &p->notes);
     s->states[i] = DONE;
@@ -403,22 +425,52 @@ static kg_status solve_patch(kg_solution *s, size_t i) {
 
 /* ---- the whole -------------------------------------------------------------------------- */
 
-static int compare_issues(const kg_solution *s, const kg_issue *a, const kg_issue *b) {
-    if (a->severity != b->severity)
-        return a->severity == KG_FAULT ? -1 : 1;
-    size_t i = index_of(s, a->patch), j = index_of(s, b->patch);
-    return i < j ? -1 : i > j;
+typedef struct issue_key {
+    const kg_solution *solution;
+    size_t place, number;
+} issue_key;
+
+static int compare_issues(const void *a, const void *b) {
+    const issue_key *x = a, *y = b;
+    const kg_issue *items = x->solution->issues.items;
+    if (items[x->number].severity != items[y->number].severity)
+        return items[x->number].severity == KG_FAULT ? -1 : 1;
+    if (x->place != y->place)
+        return x->place < y->place ? -1 : 1;
+    return x->number < y->number ? -1 : 1;
 }
 
-/* Faults first, then in the order of the model; stable, so a patch's own order stays. */
-static void sort_issues(kg_solution *s) {
-    for (size_t i = 1; i < s->issues.count; i++) {
-        kg_issue moved = s->issues.items[i];
-        size_t j = i;
-        for (; j > 0 && compare_issues(s, &moved, &s->issues.items[j - 1]) < 0; j--)
-            s->issues.items[j] = s->issues.items[j - 1];
-        s->issues.items[j] = moved;
+/* Faults first, then in the order of the model; a patch's own order stays. */
+static kg_status sort_issues(kg_solution *s) {
+    size_t n = s->issues.count;
+    issue_key *keys = calloc(n + 1, sizeof *keys);
+    kg_issue *sorted = calloc(n + 1, sizeof *sorted);
+    if (!keys || !sorted) {
+        free(keys);
+        free(sorted);
+        return KG_ERR_MEMORY;
     }
+    for (size_t i = 0; i < n; i++)
+        keys[i] = (issue_key){s, index_of(s, s->issues.items[i].patch), i};
+    qsort(keys, n, sizeof *keys, compare_issues);
+    for (size_t i = 0; i < n; i++)
+        sorted[i] = s->issues.items[keys[i].number];
+    free(keys);
+    free(s->issues.items);
+    s->issues.items = sorted;
+    s->issues.capacity = n + 1;
+    return KG_OK;
+}
+
+/* Do the crossings of the previous solution hold in this one? */
+static bool pair_holds(const void *user, const kg_pair *pair) {
+    const kg_solution *s = user;
+    for (int side = 0; side < 2; side++) {
+        size_t i = index_of(s, pair->id[side]);
+        if (i == s->count || s->inputs[i] != pair->input[side])
+            return false;
+    }
+    return true;
 }
 
 kg_status kg_solution_create(const kg_model *model, double tolerance, kg_solution *previous,
@@ -434,16 +486,21 @@ kg_status kg_solution_create(const kg_model *model, double tolerance, kg_solutio
         if (s->patches && s->inputs && s->states)
             status = KG_OK;
     }
+    if (!status)
+        status = index_model(s);
     for (size_t i = 0; i < n && !status; i++, s->count = i)
         status = prepare(s, i);
+    if (!status && previous && previous->tolerance == tolerance)
+        status = kg_pairs_adopt(&s->pairs, &previous->pairs, pair_holds, s);
     for (size_t i = 0; i < n && !status; i++)
         status = solve_patch(s, i);
+    if (!status)
+        status = sort_issues(s);
     kg_solution_destroy(previous);
     if (status) {
         kg_solution_destroy(s);
         return kg_fail(error, status, "out of memory");
     }
-    sort_issues(s);
     s->model = NULL;
     s->previous = NULL;
     *out_solution = s;
@@ -460,6 +517,8 @@ void kg_solution_destroy(kg_solution *s) {
     free(s->patches);
     free(s->inputs);
     free(s->states);
+    kg_lookup_clear(&s->places);
+    kg_lookup_clear(&s->wishes);
     kg_pairs_clear(&s->pairs);
     free(s->issues.items);
     free(s);
