@@ -137,6 +137,8 @@ enum { KG_SIDE_FALSE = 256 };
 typedef struct kg_sample {
     kg_cross_point at, slope; /* slope.x: unit tangent, or 0 where there is none */
     kg_vec2 paper[2];         /* unit tangents on the papers of A and B */
+    kg_vec2 off[2];           /* place on paper, from the foot of its ruling */
+    double speed[2];          /* of the geodesics */
     kg_vec3 across;           /* d_A × d_B */
     unsigned out;             /* sides it lies beyond */
 } kg_sample;
@@ -150,6 +152,9 @@ typedef struct kg_pair {
 /* The point of two lines at (v,t), where F = 0; its tangent runs in the direction of growing v
  * (KG_ARC_OVER_V) or t (KG_ARC_OVER_T) if `direction` is 1. */
 kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind kind, int direction);
+
+/* |p'| */
+double kg_ruled_speed(const kg_ruled *ruled, double v);
 
 /* d = R/|R| and its derivative. */
 void kg_line_unit(const kg_line *line, kg_vec3 *out_d, kg_vec3 *out_dd);

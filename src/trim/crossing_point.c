@@ -43,6 +43,28 @@ static kg_cross_point mix(const kg_cross_point *p, const kg_cross_point *q, doub
                             kg_lerp(p->x, q->x, x)};
 }
 
+/* Where Newton's method fails: the crossing with the ruling at `fraction` of the span, by F alone,
+ * whose roots may be multiple there: slow, but F and with it the distance of the rulings vanish. */
+static kg_cross_point along_rulings(const kg_ruled *a, const kg_ruled *b, const kg_cross_point *p,
+                                    const kg_cross_point *q, double fraction) {
+    kg_cross_point at = mix(p, q, fraction);
+    bool over_v = fabs(q->v - p->v) >= fabs(q->t - p->t);
+    double reach = fmax(fabs(q->v - p->v), fabs(q->t - p->t)), v = at.v, t = at.t;
+    for (int i = 0; i < 100; i++) {
+        kg_line x = kg_ruled_line(a, v), y = kg_ruled_line(b, t);
+        double fv, ft, f = kg_pair_value(&x, &y, &fv, &ft), step = f / (over_v ? ft : fv);
+        if (f == 0 || !isfinite(step))
+            break;
+        *(over_v ? &t : &v) -= step;
+        if (fabs(step) < 1e-14)
+            break;
+    }
+    kg_pair pair = {*a, *b, 0, 0};
+    kg_sample s = kg_pair_sample(&pair, v, t, KG_ARC_OVER_V, 1);
+    bool near = fabs(v - at.v) <= reach && fabs(t - at.t) <= reach;
+    return near && kg_dist(s.at.x, at.x) <= kg_dist(p->x, q->x) ? s.at : at;
+}
+
 kg_cross_point kg_crossing_at(const kg_patch *a, const kg_patch *b, const kg_crossing *branch,
                               size_t i, double fraction, kg_cross_point *out_slope) {
     const kg_cross_point *p = &branch->points[i], *q = &branch->points[i + 1];
@@ -84,10 +106,9 @@ kg_cross_point kg_crossing_at(const kg_patch *a, const kg_patch *b, const kg_cro
             break;
         converged = change < 1e-8; /* one more step makes it exact */
     }
-    /* Next to a point where branches meet the plane may hold none near: the chord is short there.
-     */
+    /* Where the surfaces touch, or branches meet, the system is singular. */
     if (!converged || !(kg_dist(at.x, straight.x) <= length)) {
-        at = straight;
+        at = along_rulings(&ra, &rb, p, q, fraction);
         slope = (kg_cross_point){q->u - p->u, q->v - p->v, q->s - p->s, q->t - p->t,
                                  kg_sub(q->x, p->x)};
     }

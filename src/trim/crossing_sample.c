@@ -47,13 +47,22 @@ void kg_line_unit(const kg_line *l, kg_vec3 *out_d, kg_vec3 *out_dd) {
     *out_dd = kg_scale(kg_madd(l->dr, -kg_dot(l->dr, *out_d), *out_d), inverse);
 }
 
-/* A tangent of the surface as a direction on paper: there p' points along y, d along
- * (sin θ, cos θ), and e ⊥ d on the side of p' along (-cos θ, sin θ). */
-static kg_vec2 on_paper(const kg_line *l, kg_vec3 d, kg_vec3 tangent) {
+/* A tangent of the surface as a direction on paper, and the point at length u of the ruling from
+ * its foot: there p' points along y, d along (sin θ, cos θ), and e ⊥ d on the side of p' along
+ * (-cos θ, sin θ). */
+static void lay_on_paper(kg_sample *sample, int which, const kg_line *l, kg_vec3 d, double u) {
     double speed = kg_len(l->dp), c = kg_dot(l->dp, d) / speed;
-    kg_vec3 e = kg_madd(kg_scale(l->dp, 1 / speed), -c, d);
+    kg_vec3 e = kg_madd(kg_scale(l->dp, 1 / speed), -c, d), tangent = sample->slope.x;
     double s = kg_len(e), x = kg_dot(tangent, d), y = kg_dot(tangent, e) / s;
-    return kg_v2(x * s - y * c, x * c + y * s);
+    sample->paper[which] = kg_v2(x * s - y * c, x * c + y * s);
+    sample->off[which] = kg_v2(u * s, u * c);
+    sample->speed[which] = speed;
+}
+
+double kg_ruled_speed(const kg_ruled *ruled, double v) {
+    kg_vec3 p, dp;
+    evaluate(ruled->p, ruled->patch->geodesic.degree, v, &p, &dp);
+    return kg_len(dp);
 }
 
 static double onto_side(double x, const double side[2], double slack) {
@@ -105,7 +114,7 @@ kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind ki
         return s;
     s.slope = (kg_cross_point){du / speed, dv / speed, ds / speed, dt / speed,
                                kg_scale(tangent, 1 / speed)};
-    s.paper[0] = on_paper(&a, da, s.slope.x);
-    s.paper[1] = on_paper(&b, db, s.slope.x);
+    lay_on_paper(&s, 0, &a, da, at->u);
+    lay_on_paper(&s, 1, &b, db, at->s);
     return s;
 }
