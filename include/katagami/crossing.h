@@ -58,7 +58,10 @@ typedef struct kg_crossings {
     kg_crossing *branches; /* in an order that depends on the geometry alone */
 } kg_crossings;
 
-/* All branches inside both rectangles (the extents in force). None is not an error.
+/* All branches inside both rectangles (the extents in force). None is not an error. The points are
+ * the same whichever patch comes first. Surfaces that touch without passing through each other do
+ * not cross there; a stretch that looks into a rectangle by less than the tolerance may be left
+ * out. A ruling that both patches share is a branch, unless they are tangent along it.
  *   tolerance  mm, greatest chord error
  * KG_ERR_INPUT: the surfaces coincide on a piece. */
 KG_API kg_status kg_crossings_find(const kg_patch *a, const kg_patch *b, double tolerance,
@@ -68,7 +71,9 @@ KG_API void kg_crossings_clear(kg_crossings *crossings);
 
 /* The exact point of the branch between points `i` and `i + 1`, in the plane square to that chord
  * at `fraction` of it, with its derivative by fraction (out_slope: u, v, s, t, x; may be NULL).
- * Smooth in `fraction`, so lengths and areas can be had by quadrature. */
+ * Smooth in `fraction`, so lengths and areas can be had by quadrature. Only in the span next to a
+ * point where the surfaces touch or branches meet the plane may hold no point: then one on both
+ * surfaces near the fraction is given, and the chord as slope. */
 KG_API kg_cross_point kg_crossing_at(const kg_patch *a, const kg_patch *b,
                                      const kg_crossing *branch, size_t i, double fraction,
                                      kg_cross_point *out_slope);
