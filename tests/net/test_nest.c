@@ -62,16 +62,16 @@ static void add_box(shelf *s, double width, double height) {
 }
 
 static void add_random(shelf *s, kg_random *r, double scale) {
-    double kind = kg_random_in(r, 0, 1);
+    /* Drawn one by one: the order in which arguments are evaluated is the compiler's choice. */
+    double kind = kg_random_in(r, 0, 1), a = kg_random_in(r, 0, 1);
+    double b = kg_random_in(r, 0, 1), c = kg_random_in(r, 0, 1);
     if (kind < 0.5) {
-        add_leaf(s, scale * kg_random_in(r, 60, 180), scale * kg_random_in(r, 8, 28),
-                 scale * kg_random_in(r, -10, 25));
+        add_leaf(s, scale * (60 + 120 * a), scale * (8 + 20 * b), scale * (35 * c - 10));
     } else if (kind < 0.92) {
-        add_band(s, scale * kg_random_in(r, 40, 150), scale * kg_random_in(r, 12, 35),
-                 kg_random_in(r, 0.4, 1.6));
+        add_band(s, scale * (40 + 110 * a), scale * (12 + 23 * b), 0.4 + 1.2 * c);
     } else {
-        add_circle(s, scale * kg_random_in(r, 20, 45), 1);
-        add_circle(s, scale * kg_random_in(r, 8, 18), -1);
+        add_circle(s, scale * (20 + 25 * a), 1);
+        add_circle(s, scale * (8 + 10 * b), -1);
         s->count++;
     }
 }

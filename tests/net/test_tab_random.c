@@ -46,7 +46,8 @@ static void draw_zigzag(tab_pen *p, kg_random *r) {
     double length = kg_random_in(r, 4, 20);
     for (int i = 0; i < teeth; i++) {
         tab_draw(p, length * i, 0, true);
-        tab_draw(p, length * (i + kg_random_in(r, 0.2, 0.8)), kg_random_in(r, 2, 15), true);
+        double at = kg_random_in(r, 0.2, 0.8), depth = kg_random_in(r, 2, 15);
+        tab_draw(p, length * (i + at), depth, true);
     }
     tab_draw(p, length * teeth, 0, true);
     tab_draw(p, length * teeth, 30, true);
