@@ -81,15 +81,15 @@ static kg_status make_arcs(kg_arrangement *a, const kg_events *events) {
 static kg_vec2 arc_middle(const kg_arrangement *a, const kg_arc *arc) {
     double total = 0, run = 0;
     for (size_t i = 1; i < arc->count; i++)
-        total += kg_dist2(kg_pool_plane(a, arc->first + i - 1), kg_pool_plane(a, arc->first + i));
+        total += kg_dist2(kg_arc_plane(a, arc, i - 1), kg_arc_plane(a, arc, i));
     for (size_t i = 1; i < arc->count; i++) {
-        kg_vec2 p = kg_pool_plane(a, arc->first + i - 1), q = kg_pool_plane(a, arc->first + i);
+        kg_vec2 p = kg_arc_plane(a, arc, i - 1), q = kg_arc_plane(a, arc, i);
         double d = kg_dist2(p, q);
         if (run + d >= 0.5 * total && d > 0)
             return kg_lerp2(p, q, (0.5 * total - run) / d);
         run += d;
     }
-    return kg_pool_plane(a, arc->first);
+    return kg_arc_plane(a, arc, 0);
 }
 
 /* Arcs that lie on each other (a contour drawn along the outline, two cutters meeting in one

@@ -29,6 +29,7 @@ typedef struct kg_face_loop {
     size_t cycle;        /* loops that touch in nodes and bound one face share it */
     size_t first, count; /* half-edges in the arrangement's loop pool */
     double area;         /* signed, positive: the loop bounds its face from outside */
+    double length;       /* in the plane */
 } kg_face_loop;
 
 typedef struct kg_arrangement {
@@ -60,8 +61,22 @@ void kg_arrangement_clear(kg_arrangement *arrangement);
 /* The steps of building: nodes and arcs are there, faces follow (faces.c). */
 kg_status kg_arrangement_faces(kg_arrangement *arrangement) KG_CHECKED;
 
+/* Areas narrower than this fraction of the patch (area over size and length) are what rounding
+ * leaves between nearly coincident curves, not paper. */
+#define KG_SLIVER 2e-7
+
+static inline bool kg_is_sliver(const kg_arrangement *a, double area, double length) {
+    return fabs(area) <= KG_SLIVER * a->patch->size * length;
+}
+
 static inline kg_vec2 kg_pool_plane(const kg_arrangement *a, size_t i) {
     return kg_plane(a->patch, a->pool[i].u, a->pool[i].v);
+}
+/* Point i of an arc; its ends are its nodes, so that loops close. */
+static inline kg_vec2 kg_arc_plane(const kg_arrangement *a, const kg_arc *arc, size_t i) {
+    return i == 0                ? a->nodes[arc->node[0]]
+           : i + 1 == arc->count ? a->nodes[arc->node[1]]
+                                 : kg_pool_plane(a, arc->first + i);
 }
 static inline size_t kg_half_origin(const kg_arrangement *a, size_t h) {
     return a->arcs[h / 2].node[h & 1];

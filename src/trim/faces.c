@@ -25,9 +25,9 @@ static int compare_leaving(const void *x, const void *y) {
  * rounding of the node itself does not turn it. */
 static double leaving_angle(const kg_arrangement *a, size_t h) {
     const kg_arc *arc = &a->arcs[h / 2];
-    kg_vec2 from = kg_pool_plane(a, h & 1 ? arc->first + arc->count - 1 : arc->first), to = from;
+    kg_vec2 from = a->nodes[kg_half_origin(a, h)], to = from;
     for (size_t i = 1; i < arc->count; i++) {
-        to = kg_pool_plane(a, h & 1 ? arc->first + arc->count - 1 - i : arc->first + i);
+        to = kg_arc_plane(a, arc, h & 1 ? arc->count - 1 - i : i);
         if (kg_dist2(from, to) > 20 * a->snap)
             break;
     }
@@ -57,12 +57,13 @@ static kg_status link_halfedges(const kg_arrangement *a, size_t *next) {
     return KG_OK;
 }
 
-static double half_area(const kg_arrangement *a, size_t h) {
+static void measure_half(const kg_arrangement *a, size_t h, kg_face_loop *loop) {
     const kg_arc *arc = &a->arcs[h / 2];
-    double sum = 0;
-    for (size_t i = 1; i < arc->count; i++)
-        sum += kg_cross2(kg_pool_plane(a, arc->first + i - 1), kg_pool_plane(a, arc->first + i));
-    return h & 1 ? -0.5 * sum : 0.5 * sum;
+    for (size_t i = 1; i < arc->count; i++) {
+        kg_vec2 p = kg_arc_plane(a, arc, i - 1), q = kg_arc_plane(a, arc, i);
+        loop->area += (h & 1 ? -0.5 : 0.5) * kg_cross2(p, q);
+        loop->length += kg_dist2(p, q);
+    }
 }
 
 /* The halves of each face's boundary in order: cycle[h] numbers them. */
@@ -96,7 +97,7 @@ static kg_status add_loop(kg_arrangement *a, const size_t *halves, size_t count,
         return KG_ERR_MEMORY;
     for (size_t i = 0; i < count; i++) {
         a->halfedges[a->halfedge_count++] = halves[i];
-        loop.area += half_area(a, halves[i]);
+        measure_half(a, halves[i], &loop);
     }
     a->loops[a->loop_count++] = loop;
     return KG_OK;
@@ -141,7 +142,7 @@ static bool loop_around(const kg_arrangement *a, const kg_face_loop *loop, kg_ve
     for (size_t k = 0; k < loop->count; k++) {
         const kg_arc *arc = &a->arcs[a->halfedges[loop->first + k] / 2];
         for (size_t i = 1; i < arc->count; i++) {
-            kg_vec2 p = kg_pool_plane(a, arc->first + i - 1), r = kg_pool_plane(a, arc->first + i);
+            kg_vec2 p = kg_arc_plane(a, arc, i - 1), r = kg_arc_plane(a, arc, i);
             if ((p.y > q.y) != (r.y > q.y) && q.x < p.x + (q.y - p.y) / (r.y - p.y) * (r.x - p.x))
                 inside = !inside;
         }
@@ -191,7 +192,7 @@ static kg_status assign_faces(kg_arrangement *a) {
         if (hole->area > 0)
             continue;
         hole->face = face_of_cycle(a, hole->cycle);
-        kg_vec2 at = kg_pool_plane(a, a->arcs[a->halfedges[hole->first] / 2].first);
+        kg_vec2 at = a->nodes[kg_half_origin(a, a->halfedges[hole->first])];
         double best = hole->face ? 0 : INFINITY;
         for (size_t j = 0; j < a->loop_count; j++) {
             const kg_face_loop *outer = &a->loops[j];

@@ -181,9 +181,11 @@ kg_status kg_region_from_face(const kg_arrangement *a, size_t face, kg_region *o
         return KG_ERR_MEMORY;
     for (int holes = 0; holes < 2; holes++)
         for (size_t i = 0; i < a->loop_count; i++) {
-            if (a->loops[i].face != face || (a->loops[i].area <= 0) != holes)
+            const kg_face_loop *loop = &a->loops[i];
+            if (loop->face != face || (loop->area <= 0) != holes ||
+                (holes && kg_is_sliver(a, loop->area, loop->length)))
                 continue;
-            if (loop_from_face(a, &a->loops[i], &region.loops[region.loop_count])) {
+            if (loop_from_face(a, loop, &region.loops[region.loop_count])) {
                 kg_region_clear(&region);
                 return KG_ERR_MEMORY;
             }
@@ -198,10 +200,13 @@ kg_status kg_region_chains(const kg_region *region, kg_patch_finder finder, kg_c
         const kg_region_loop *loop = &region->loops[i];
         for (size_t k = 0; k < loop->edge_count; k++) {
             const kg_region_edge *e = &loop->edges[k];
+            kg_cross_point start = kg_region_edge_point(loop, e, 0), *end = &loop->ends[k];
             kg_chain chain = {.kind = e->kind,
                               .source = e->source,
                               .labels = KG_LABEL_REGION,
-                              .closed = loop->edge_count == 1,
+                              /* a cutter that crosses itself may come back elsewhere on itself */
+                              .closed = loop->edge_count == 1 && start.s == end->s &&
+                                        start.t == end->t,
                               .count = e->count + 1};
             if (e->kind == KG_EDGE_CUT)
                 chain.other = finder.find(finder.user, e->source);

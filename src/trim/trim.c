@@ -7,25 +7,14 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* A piece narrower than this fraction of the patch (area over size times perimeter) is what
- * rounding leaves between nearly coincident curves, not paper. */
-#define SLIVER 2e-7
-
-static double loop_length(const kg_region_loop *loop) {
-    double sum = 0;
-    for (size_t i = 0; i < loop->point_count; i++)
-        sum += kg_dist(loop->points[i].x, loop->points[(i + 1) % loop->point_count].x);
-    return sum;
-}
-
-static bool is_sliver(const kg_arrangement *a, size_t face, const kg_region *region) {
+static bool is_sliver(const kg_arrangement *a, size_t face) {
     double area = 0, length = 0;
     for (size_t i = 0; i < a->loop_count; i++)
-        if (a->loops[i].face == face)
+        if (a->loops[i].face == face) {
             area += a->loops[i].area;
-    for (size_t i = 0; i < region->loop_count; i++)
-        length += loop_length(&region->loops[i]);
-    return area <= SLIVER * a->patch->size * length;
+            length += a->loops[i].length;
+        }
+    return kg_is_sliver(a, area, length);
 }
 
 /* Adds the faces that `wanted` accepts as regions. */
@@ -34,16 +23,12 @@ typedef bool (*face_filter)(const kg_arrangement *a, size_t face, const void *us
 static kg_status add_faces(const kg_arrangement *a, face_filter wanted, const void *user,
                            kg_regions *out) {
     for (size_t f = 1; f < a->face_count; f++) {
-        if (!(a->labels[f] & KG_LABEL_REGION) || (wanted && !wanted(a, f, user)))
+        if (!(a->labels[f] & KG_LABEL_REGION) || is_sliver(a, f) || (wanted && !wanted(a, f, user)))
             continue;
         kg_region region;
         kg_status status = kg_region_from_face(a, f, &region);
         if (status)
             return status;
-        if (is_sliver(a, f, &region)) {
-            kg_region_clear(&region);
-            continue;
-        }
         if ((status = kg_regions_add(out, region)))
             return status;
     }
