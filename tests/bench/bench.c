@@ -5,12 +5,17 @@
  */
 #include "bench/bench.h"
 
+#include <fcntl.h>
+#include <spawn.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+
+extern char **environ;
 
 double bench_now(void) {
     struct timespec t;
@@ -31,19 +36,18 @@ void bench_row(const char *what, double seconds, const char *unit, double target
 static int run_process(char *const argv[], int runs, double *out_seconds, double *out_mb) {
     double wall[32];
     long peak = 0;
+    posix_spawn_file_actions_t quiet;
+    posix_spawn_file_actions_init(&quiet);
+    posix_spawn_file_actions_addopen(&quiet, 1, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&quiet, 2, "/dev/null", O_WRONLY, 0);
     for (int i = 0; i < runs; i++) {
-        fflush(NULL); /* what is still buffered would come out of the child as well */
         double start = bench_now();
-        pid_t pid = fork();
-        if (pid == 0) {
-            if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr))
-                _exit(127);
-            execv(argv[0], argv);
-            _exit(127);
-        }
+        pid_t pid; /* not fork: the child would count this process's memory as its own */
+        if (posix_spawn(&pid, argv[0], &quiet, NULL, argv, environ))
+            return -1;
         int status;
         struct rusage usage;
-        if (pid < 0 || wait4(pid, &status, 0, &usage) < 0 || status != 0)
+        if (wait4(pid, &status, 0, &usage) < 0 || status != 0)
             return -1;
         wall[i] = bench_now() - start;
         peak = usage.ru_maxrss;
@@ -52,22 +56,23 @@ static int run_process(char *const argv[], int runs, double *out_seconds, double
             wall[k] = wall[k - 1], wall[k - 1] = t;
         }
     }
+    posix_spawn_file_actions_destroy(&quiet);
     *out_seconds = wall[runs / 2];
     *out_mb = (double)peak / 1024;
     return 0;
 }
 
 static int bench_processes(char *program, char *model) {
-    char output[] = "/tmp/katagami-bench-XXXXXX.svg";
-    int fd = mkstemps(output, 4);
-    if (fd < 0)
+    char folder[] = "/tmp/katagami-bench-XXXXXX", page[64], pages[64];
+    if (!mkdtemp(folder))
         return 1;
-    close(fd);
+    snprintf(page, sizeof page, "%s/net.svg", folder);
+    snprintf(pages, sizeof pages, "%s/net.pdf", folder);
     char net[] = "net", o[] = "-o", paper[] = "--paper", none[] = "none", tabs[] = "--tabs",
          labels[] = "--labels", version[] = "version";
     char *empty[] = {program, version, NULL};
-    char *plain[] = {program, net, model, o, output, paper, none, tabs, none, labels, none, NULL};
-    char *whole[] = {program, net, model, o, output, NULL};
+    char *plain[] = {program, net, model, o, page, paper, none, tabs, none, labels, none, NULL};
+    char *whole[] = {program, net, model, o, pages, NULL};
     struct {
         const char *what;
         char **argv;
@@ -91,7 +96,9 @@ static int bench_processes(char *program, char *model) {
             printf("   target %g MB%s", rows[i].memory, mb <= rows[i].memory ? "" : "  MISSED");
         putchar('\n');
     }
-    unlink(output);
+    unlink(page);
+    unlink(pages);
+    rmdir(folder);
     return code;
 }
 
