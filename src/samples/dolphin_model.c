@@ -128,7 +128,7 @@ static kg_status add_body(sample_model *model, kg_error *error) {
     contour_line belly = trunk(-PI / 2, -PI / 2, t_at(DOLPHIN_TRUNK, 97), -108);
     contour_line flank = trunk(0, 0, t_at(DOLPHIN_TRUNK, 102), -108);
     contour_line upper = trunk(0.22 * PI, 0.30 * PI, t_at(DOLPHIN_TRUNK, 92), -95);
-    contour_line lower = trunk(low, low, t_at(DOLPHIN_TRUNK, 94), -100);
+    contour_line lower = trunk(low, low, t_at(DOLPHIN_TRUNK, 94), -107);
     const sheet sheets[] = {
         {"back 背中",
          {.line = contour_at,
@@ -184,7 +184,7 @@ static kg_status add_body(sample_model *model, kg_error *error) {
           .user = &lower,
           .point_count = 6,
           .front = 24,
-          .behind = 28,
+          .behind = 20,
           .planar = true,
           .along = X,
           .across = out},
