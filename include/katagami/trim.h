@@ -19,7 +19,8 @@ typedef enum kg_edge_kind {
     KG_EDGE_OUTLINE, /* a side of the rectangle; source: 0 u low, 1 u high, 2 v low, 3 v high */
     KG_EDGE_CONTOUR, /* drawn by hand; source: number of the trim in its patch's list */
     KG_EDGE_CUT,     /* on another patch; source: that patch's id */
-    KG_EDGE_TAIL     /* where a cut was prolonged or joined to another; source as for cuts */
+    KG_EDGE_TAIL,    /* where a cut was prolonged or joined to another; source as for cuts */
+    KG_EDGE_SPLIT /* a ruling along which a large part was cut in two; source: number of the cut */
 } kg_edge_kind;
 
 /* A run of a loop's points: points[first] … points[first + count], the last shared with the next
@@ -116,6 +117,12 @@ KG_API kg_status kg_trim_inside(const kg_trim *trim, const kg_regions *regions, 
  * KG_ERR_INPUT: fewer than 3 corners, no area, crosses itself, keeps nothing. */
 KG_API kg_status kg_trim_contour(const kg_trim *trim, const kg_regions *regions,
                                  const kg_vec2 *polygon, size_t corner_count, bool inside,
+                                 int64_t source, kg_regions *out_regions,
+                                 kg_error *error) KG_CHECKED;
+
+/* Cuts a region along the ruling at `v` into the pieces on both sides of it.
+ *   source  number of the cut, for the new edges */
+KG_API kg_status kg_region_split(const kg_trim *trim, const kg_region *region, double v,
                                  int64_t source, kg_regions *out_regions,
                                  kg_error *error) KG_CHECKED;
 
