@@ -38,6 +38,7 @@ typedef struct contour_line {
     dolphin_tube tube;
     double psi0, psi1; /* at t0 and t1, even between */
     double t0, t1;
+    double flare; /* mm that it stands off at t1; from three quarters of the way */
 } contour_line;
 
 static void contour_at(const void *user, double s, kg_vec3 *out_point, kg_vec3 *out_normal) {
@@ -46,6 +47,8 @@ static void contour_at(const void *user, double s, kg_vec3 *out_point, kg_vec3 *
     dolphin_section section = dolphin_section_at(l->tube, t);
     *out_point = dolphin_section_contour(&section, psi);
     *out_normal = dolphin_tube_normal(l->tube, t, psi);
+    double rear = fmax(0, 4 * s - 3);
+    *out_point = kg_madd(*out_point, l->flare * rear * rear, *out_normal);
 }
 
 /* Over the upper half of a section, from left to right. */
@@ -116,7 +119,7 @@ static kg_status add_sheet(sample_model *model, const sheet *s, kg_error *error)
 }
 
 static contour_line trunk(double psi0, double psi1, double t0, double x1) {
-    return (contour_line){DOLPHIN_TRUNK, psi0, psi1, t0, t_at(DOLPHIN_TRUNK, x1)};
+    return (contour_line){DOLPHIN_TRUNK, psi0, psi1, t0, t_at(DOLPHIN_TRUNK, x1), 0};
 }
 
 /* The leads make neighbours cut each other all the way: back and belly run past each other at both
@@ -128,7 +131,8 @@ static kg_status add_body(sample_model *model, kg_error *error) {
     contour_line belly = trunk(-PI / 2, -PI / 2, t_at(DOLPHIN_TRUNK, 97), -108);
     contour_line flank = trunk(0, 0, t_at(DOLPHIN_TRUNK, 102), -108);
     contour_line upper = trunk(0.22 * PI, 0.30 * PI, t_at(DOLPHIN_TRUNK, 92), -95);
-    contour_line lower = trunk(low, low, t_at(DOLPHIN_TRUNK, 94), -107);
+    contour_line lower = trunk(low, low, t_at(DOLPHIN_TRUNK, 94), -100);
+    lower.flare = 1; /* so that it ends in a point before the tail does, like the upper one */
     const sheet sheets[] = {
         {"back 背中",
          {.line = contour_at,
@@ -184,7 +188,7 @@ static kg_status add_body(sample_model *model, kg_error *error) {
           .user = &lower,
           .point_count = 6,
           .front = 24,
-          .behind = 20,
+          .behind = 24,
           .planar = true,
           .along = X,
           .across = out},
@@ -204,8 +208,8 @@ static kg_status add_body(sample_model *model, kg_error *error) {
 
 static kg_status add_beak(sample_model *model, kg_error *error) {
     dolphin_section root = dolphin_section_at(DOLPHIN_BEAK, t_at(DOLPHIN_BEAK, 109));
-    contour_line bottom = {DOLPHIN_BEAK, -PI / 2, -PI / 2, t_at(DOLPHIN_BEAK, 119),
-                           t_at(DOLPHIN_BEAK, 97)};
+    contour_line bottom = {DOLPHIN_BEAK,           -PI / 2, -PI / 2, t_at(DOLPHIN_BEAK, 119),
+                           t_at(DOLPHIN_BEAK, 97), 0};
     const sheet sheets[] = {
         /* square to rulings that fall by 20.6° towards the tip */
         {"beak くちばし",
@@ -354,10 +358,12 @@ static void cut_body(sample_model *model) {
         sample_cut(sample_find(model, BACK), flank, top);
         sample_cut(sample_find(model, BACK), upper, top);
         sample_cut(sample_find(model, BACK), lower, top);
+        sample_cut(sample_find(model, BELLY), flank, bottom);
         sample_cut(sample_find(model, BELLY), lower, bottom);
-        sample_cut(sample_find(model, flank), lower, middle);
+        sample_cut(sample_find(model, flank), BELLY, middle);
         sample_cut(sample_find(model, flank), BACK, middle);
         sample_cut(sample_find(model, flank), upper, middle);
+        sample_cut(sample_find(model, flank), lower, middle);
         sample_cut(sample_find(model, upper), BACK, above);
         sample_cut(sample_find(model, upper), flank, above);
         sample_cut(sample_find(model, lower), BACK, below);

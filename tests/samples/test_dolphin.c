@@ -1,5 +1,5 @@
 #include "katagami/mesh.h"
-#include "katagami/model.h"
+#include "katagami/unroll.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
@@ -232,6 +232,38 @@ static void body_strips_follow_the_shape(void **state) {
     assert_true(most < 6);
 }
 
+/* ---- net ------------------------------------------------------------------------------- */
+
+static void parts_fit_two_pages_and_join_as_meant(void **state) {
+    const dolphin *d = *state;
+    kg_unrolled *unrolled;
+    assert_int_equal(kg_unroll(d->model, d->solution, &unrolled, NULL), KG_OK);
+    const kg_net *net = unrolled->net;
+    assert_int_equal(net->part_count, d->model->patch_count);
+    double seams = 0;
+    int contacts = 0;
+    for (size_t i = 0; i < net->join_count; i++) {
+        const kg_net_join *join = &net->joins[i];
+        bool body = join->sources[0] <= BODY_STRIPS && join->sources[1] <= BODY_STRIPS;
+        assert_true(!body || join->kind == KG_JOIN_SEAM);
+        if (join->kind == KG_JOIN_SEAM) {
+            assert_near(join->sides[0].length, join->sides[1].length, 1e-6 * join->sides[0].length);
+            assert_true(join->sides[0].length > 4); /* nothing too short to glue */
+            seams += join->sides[0].length;
+        } else {
+            contacts++;
+        }
+    }
+    assert_true(seams > 1800);     /* eight edges of the long strips, 225 to 235 mm each */
+    assert_int_equal(contacts, 7); /* five fins, beak and jaw */
+    kg_net_options options = kg_net_options_default();
+    kg_net_layout *layout;
+    assert_int_equal(kg_net_layout_create(net, &options, NULL, &layout, NULL), KG_OK);
+    assert_in_range(layout->page_count, 1, 2);
+    kg_net_layout_destroy(layout);
+    kg_unrolled_destroy(unrolled);
+}
+
 /* ---- reference ------------------------------------------------------------------------- */
 
 typedef struct half_edge {
@@ -284,6 +316,7 @@ int main(void) {
         cmocka_unit_test(body_strips_meet_edge_to_edge),
         cmocka_unit_test(fins_and_beak_stand_on_the_body),
         cmocka_unit_test(body_strips_follow_the_shape),
+        cmocka_unit_test(parts_fit_two_pages_and_join_as_meant),
         cmocka_unit_test(reference_is_closed_outward_and_250_mm_long),
     };
     return cmocka_run_group_tests(tests, load, unload);
