@@ -32,44 +32,6 @@ kg_status kg_regions_add(kg_regions *regions, kg_region region) {
     return KG_OK;
 }
 
-/* ---- sampling straight (u,v) segments --------------------------------------------------- */
-
-static double chord_gap(const kg_patch *p, kg_vec2 a, kg_vec2 b) {
-    kg_vec2 m = kg_lerp2(a, b, 0.5);
-    kg_vec3 xa = kg_patch_point(p, a.x, a.y), xb = kg_patch_point(p, b.x, b.y);
-    kg_vec2 ya = kg_patch_unroll(p, a.x, a.y), yb = kg_patch_unroll(p, b.x, b.y);
-    double space = kg_dist(kg_patch_point(p, m.x, m.y), kg_lerp(xa, xb, 0.5));
-    double paper = kg_dist2(kg_patch_unroll(p, m.x, m.y), kg_lerp2(ya, yb, 0.5));
-    return fmax(space, paper);
-}
-
-static kg_status push_straight(const kg_patch *p, kg_vec2 at, kg_points *points) {
-    kg_cross_point q = {.u = at.x, .v = at.y, .x = kg_patch_point(p, at.x, at.y)};
-    return kg_push(points, q) ? KG_OK : KG_ERR_MEMORY;
-}
-
-kg_status kg_sample_straight(const kg_patch *patch, kg_vec2 a, kg_vec2 b, double tolerance,
-                             kg_points *points) {
-    /* Along a ruling the segment is straight everywhere. Otherwise equal steps, doubled until all
-     * chords keep to the tolerance; the first step count is small enough for S-bends to be seen. */
-    enum { FIRST = 4, LAST = 1024 };
-    int n = 1;
-    if (a.y != b.y) {
-        for (n = FIRST; n < LAST; n *= 2) {
-            double worst = 0;
-            for (int i = 0; i < n && worst <= tolerance; i++)
-                worst = fmax(worst, chord_gap(patch, kg_lerp2(a, b, (double)i / n),
-                                              kg_lerp2(a, b, (double)(i + 1) / n)));
-            if (worst <= tolerance)
-                break;
-        }
-    }
-    kg_status status = KG_OK;
-    for (int i = 0; i < n && !status; i++)
-        status = push_straight(patch, kg_lerp2(a, b, (double)i / n), points);
-    return status;
-}
-
 kg_status kg_regions_rectangle(const kg_patch *patch, double tolerance, kg_regions *out_regions,
                                kg_error *error) {
     double lo = patch->extent[0], hi = patch->extent[1];
@@ -239,66 +201,6 @@ kg_cross_point kg_region_edge_at(const kg_patch *patch, const kg_region_loop *lo
                               kg_region_edge_point(loop, edge, i + 1)};
     kg_chain chain = {.kind = edge->kind, .other = cutter, .count = 2, .points = span};
     return kg_chain_at(patch, &chain, 0, fraction, out_slope);
-}
-
-/* ---- measures --------------------------------------------------------------------------- */
-
-/* Three-point Gauss-Legendre on spans whose chords already keep to the sampling tolerance: the
- * error is of sixth order in the span. */
-static const double gauss_node[3] = {0.11270166537925831, 0.5, 0.88729833462074169};
-static const double gauss_weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-
-/* Adds what one Gauss point stands for. Area by Green's theorem: on paper ½ (x dy - y dx); in space
- * |X_u × X_v| = b + u c is linear in u on each ruling, so its integral over u is b u + c u²/2. */
-static void add_measure(kg_measure *m, const kg_patch *patch, const kg_cross_point *at,
-                        const kg_cross_point *slope, double weight) {
-    kg_ruling r = kg_patch_ruling(patch, at->v);
-    kg_vec3 xv = kg_madd(r.dp, at->u, r.dd);
-    kg_vec3 dx = kg_add(kg_scale(r.d, slope->u), kg_scale(xv, slope->v));
-    kg_vec3 w = kg_sub(r.dp, kg_scale(r.d, kg_dot(r.dp, r.d)));
-    double b = kg_len(w), c = kg_dot(r.dd, w) / b;
-    m->space_length += weight * kg_len(dx);
-    m->space_moment += weight * at->u * (b + 0.5 * c * at->u) * slope->v;
-
-    kg_vec2 y = kg_v2(at->u * r.sin_theta, at->u * r.cos_theta + kg_patch_length(patch, at->v));
-    kg_vec2 dy =
-        kg_v2(r.sin_theta * slope->u + at->u * r.cos_theta * r.dtheta * slope->v,
-              r.cos_theta * slope->u + (r.speed - at->u * r.sin_theta * r.dtheta) * slope->v);
-    m->paper_length += weight * kg_len2(dy);
-    m->paper_moment += weight * 0.5 * kg_cross2(y, dy);
-}
-
-kg_measure kg_region_edge_measure(const kg_patch *patch, const kg_region_loop *loop,
-                                  const kg_region_edge *edge, const kg_patch *cutter, double from,
-                                  double to) {
-    kg_measure m = {0};
-    for (size_t i = 0; i < edge->count; i++) {
-        double lo = fmax(from, (double)i), hi = fmin(to, (double)i + 1);
-        for (int k = 0; k < 3 && lo < hi; k++) {
-            double f = lo + (hi - lo) * gauss_node[k] - (double)i;
-            kg_cross_point slope, at = kg_region_edge_at(patch, loop, edge, cutter, i, f, &slope);
-            add_measure(&m, patch, &at, &slope, (hi - lo) * gauss_weight[k]);
-        }
-    }
-    return m;
-}
-
-kg_measure kg_region_measure(const kg_patch *patch, const kg_region *region,
-                             kg_patch_finder finder) {
-    kg_measure sum = {0};
-    for (size_t i = 0; i < region->loop_count; i++)
-        for (size_t k = 0; k < region->loops[i].edge_count; k++) {
-            const kg_region_edge *e = &region->loops[i].edges[k];
-            const kg_patch *cutter =
-                e->kind == KG_EDGE_CUT ? finder.find(finder.user, e->source) : NULL;
-            kg_measure m =
-                kg_region_edge_measure(patch, &region->loops[i], e, cutter, 0, (double)e->count);
-            sum.space_length += m.space_length;
-            sum.paper_length += m.paper_length;
-            sum.space_moment += m.space_moment;
-            sum.paper_moment += m.paper_moment;
-        }
-    return sum;
 }
 
 /* ---- where points lie ------------------------------------------------------------------- */
