@@ -26,4 +26,13 @@ void kg_region_clear(kg_region *region);
 /* Takes over `region`, also on failure. */
 kg_status kg_regions_add(kg_regions *regions, kg_region region) KG_CHECKED;
 
+/* Adds the faces of what was left before that `wanted` (NULL: all) accepts; slivers are left out. */
+typedef bool (*kg_face_filter)(const kg_arrangement *a, size_t face, const void *user);
+kg_status kg_regions_from_faces(const kg_arrangement *a, kg_face_filter wanted, const void *user,
+                                kg_regions *regions) KG_CHECKED;
+
+/* The end of every trim: hands the pieces out, or clears them and says what failed. */
+kg_status kg_trim_finish(kg_status status, kg_regions *pieces, kg_regions *out_regions,
+                         kg_error *error) KG_CHECKED;
+
 #endif

@@ -17,11 +17,8 @@ static bool is_sliver(const kg_arrangement *a, size_t face) {
     return kg_is_sliver(a, area, length);
 }
 
-/* Adds the faces that `wanted` accepts as regions. */
-typedef bool (*face_filter)(const kg_arrangement *a, size_t face, const void *user);
-
-static kg_status add_faces(const kg_arrangement *a, face_filter wanted, const void *user,
-                           kg_regions *out) {
+kg_status kg_regions_from_faces(const kg_arrangement *a, kg_face_filter wanted, const void *user,
+                                kg_regions *out) {
     for (size_t f = 1; f < a->face_count; f++) {
         if (!(a->labels[f] & KG_LABEL_REGION) || is_sliver(a, f) || (wanted && !wanted(a, f, user)))
             continue;
@@ -73,7 +70,7 @@ static kg_status keep_nearest(const kg_patch *patch, kg_regions *pieces, const k
     return KG_OK;
 }
 
-static kg_status finish(kg_status status, kg_regions *pieces, kg_regions *out_regions,
+kg_status kg_trim_finish(kg_status status, kg_regions *pieces, kg_regions *out_regions,
                         kg_error *error) {
     if (status) {
         kg_regions_clear(pieces);
@@ -105,7 +102,7 @@ static kg_status split_region(const kg_trim *t, const kg_region *region, const k
     if (!status)
         status = kg_arrangement_build(t->patch, &chains, &a);
     if (!status)
-        status = add_faces(&a, NULL, NULL, pieces);
+        status = kg_regions_from_faces(&a, NULL, NULL, pieces);
     kg_arrangement_clear(&a);
     kg_chains_clear(&chains);
     return status;
@@ -127,7 +124,7 @@ kg_status kg_trim_by(const kg_trim *trim, const kg_regions *regions, const kg_cu
     }
     if (!status)
         status = keep_nearest(trim->patch, &pieces, keep, keep_count);
-    return finish(status, &pieces, out_regions, error);
+    return kg_trim_finish(status, &pieces, out_regions, error);
 }
 
 /* ---- several surfaces ------------------------------------------------------------------- */
@@ -181,7 +178,7 @@ static kg_status enclosed_faces(const kg_trim *t, const kg_region *region, wante
         if (!status)
             status = kg_arrangement_build(t->patch, &chains, &a);
         if (!status)
-            status = add_faces(&a, is_enclosed, &wanted, faces);
+            status = kg_regions_from_faces(&a, is_enclosed, &wanted, faces);
         kg_arrangement_clear(&a);
     }
     kg_chains_clear(&chains);
@@ -210,89 +207,5 @@ kg_status kg_trim_inside(const kg_trim *trim, const kg_regions *regions, const k
                          faces.count);
     if (!status)
         status = keep_nearest(trim->patch, &faces, keep, keep_count);
-    return finish(status, &faces, out_regions, error);
-}
-
-/* ---- contours --------------------------------------------------------------------------- */
-
-static bool sides_cross(kg_vec2 a, kg_vec2 b, kg_vec2 c, kg_vec2 d) {
-    kg_vec2 ab = kg_sub2(b, a), cd = kg_sub2(d, c);
-    double c1 = kg_cross2(ab, kg_sub2(c, a)), c2 = kg_cross2(ab, kg_sub2(d, a));
-    double a1 = kg_cross2(cd, kg_sub2(a, c)), a2 = kg_cross2(cd, kg_sub2(b, c));
-    return ((c1 > 0) != (c2 > 0)) && ((a1 > 0) != (a2 > 0)) && (c1 != 0 || c2 != 0);
-}
-
-static kg_status check_contour(const kg_vec2 *p, size_t n, kg_error *error) {
-    double area = 0, reach = 0;
-    if (n < 3)
-        return kg_fail(error, KG_ERR_INPUT, "its contour has %zu corners; draw at least 3", n);
-    for (size_t i = 0; i < n; i++) {
-        if (!(fabs(p[i].x) <= KG_MAX_COORDINATE && fabs(p[i].y) <= KG_MAX_COORDINATE))
-            return kg_fail(error, KG_ERR_INPUT, "corner %zu of its contour is beyond 1e6", i + 1);
-        kg_vec2 a = kg_sub2(p[i], p[0]), b = kg_sub2(p[(i + 1) % n], p[0]);
-        area += kg_cross2(a, b);
-        reach = fmax(reach, fabs(a.x) * fabs(b.y) + fabs(a.y) * fabs(b.x));
-    }
-    if (!(fabs(area) > 1e-12 * reach))
-        return kg_fail(error, KG_ERR_INPUT, "its contour encloses no area; move its corners apart");
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = i + 2; j < n; j++)
-            if (!(i == 0 && j == n - 1) && sides_cross(p[i], p[i + 1], p[j], p[(j + 1) % n]))
-                return kg_fail(error, KG_ERR_INPUT,
-                               "its contour crosses itself (sides %zu and %zu); move its corners",
-                               i + 1, j + 1);
-    return KG_OK;
-}
-
-static kg_status contour_chain(const kg_trim *t, const kg_vec2 *polygon, size_t n, int64_t source,
-                               kg_chains *chains) {
-    kg_points points = {0};
-    kg_status status = KG_OK;
-    for (size_t i = 0; i < n && !status; i++)
-        if (polygon[i].x != polygon[(i + 1) % n].x || polygon[i].y != polygon[(i + 1) % n].y)
-            status = kg_sample_straight(t->patch, polygon[i], polygon[(i + 1) % n], t->tolerance,
-                                        &points);
-    kg_cross_point first = status ? (kg_cross_point){0} : points.items[0];
-    if (!status && !kg_push(&points, first))
-        status = KG_ERR_MEMORY;
-    if (status) {
-        free(points.items);
-        return status;
-    }
-    return kg_chains_add(chains, (kg_chain){.kind = KG_EDGE_CONTOUR,
-                                            .source = source,
-                                            .labels = KG_LABEL_CONTOUR,
-                                            .closed = true,
-                                            .count = points.count,
-                                            .points = points.items});
-}
-
-static bool has_contour_side(const kg_arrangement *a, size_t face, const void *user) {
-    const bool *inside = user;
-    return ((a->labels[face] & KG_LABEL_CONTOUR) != 0) == *inside;
-}
-
-kg_status kg_trim_contour(const kg_trim *trim, const kg_regions *regions, const kg_vec2 *polygon,
-                          size_t corner_count, bool inside, int64_t source, kg_regions *out_regions,
-                          kg_error *error) {
-    kg_regions pieces = {0};
-    kg_status status = check_contour(polygon, corner_count, error);
-    for (size_t i = 0; i < regions->count && !status; i++) {
-        kg_chains chains = {0};
-        kg_arrangement a = {0};
-        status = kg_region_chains(&regions->items[i], trim->finder, &chains);
-        if (!status)
-            status = contour_chain(trim, polygon, corner_count, source, &chains);
-        if (!status)
-            status = kg_arrangement_build(trim->patch, &chains, &a);
-        if (!status)
-            status = add_faces(&a, has_contour_side, &inside, &pieces);
-        kg_arrangement_clear(&a);
-        kg_chains_clear(&chains);
-    }
-    if (!status && pieces.count == 0)
-        status = kg_fail(error, KG_ERR_INPUT,
-                         inside ? "its contour lies wholly outside what is left of it"
-                                : "its contour takes away all that is left of it");
-    return finish(status, &pieces, out_regions, error);
+    return kg_trim_finish(status, &faces, out_regions, error);
 }
