@@ -42,6 +42,10 @@ void kg_json_number(double value, char *out) {
         memcpy(out, "0", 2);
         return;
     }
+    if (value == 0 && signbit(value)) {
+        memcpy(out, "-0.0", 5); /* "-0" would come back as a whole number, which has no sign */
+        return;
+    }
     for (int digits = 15; digits <= 17; digits++) {
         snprintf(out, 32, "%.*g", digits, value);
         if (strtod(out, NULL) == value)

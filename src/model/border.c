@@ -1,23 +1,31 @@
 #include "model/border.h"
 
-bool kg_loop_near(const kg_patch *patch, const kg_region_loop *loop, size_t first, size_t count,
-                  double u, double v, double near) {
+static double distance(kg_vec2 at, kg_vec2 a, kg_vec2 b) {
+    kg_vec2 d = kg_sub2(b, a);
+    double n = kg_dot2(d, d), f = n > 0 ? kg_dot2(kg_sub2(at, a), d) / n : 0;
+    return kg_dist2(at, kg_lerp2(a, b, fmin(fmax(f, 0), 1)));
+}
+
+bool kg_edge_near(const kg_patch *patch, const kg_region_loop *loop, const kg_region_edge *edge,
+                  bool of_cutter, double u, double v, double near) {
     double scale = patch->length_at[KG_PATCH_CELLS];
-    kg_vec2 at = kg_v2(u, v * scale);
-    const kg_cross_point *p = &loop->points[first % loop->point_count];
-    kg_vec2 a = kg_v2(p->u, p->v * scale);
-    for (size_t i = 1; i <= count; i++) {
-        p = &loop->points[(first + i) % loop->point_count];
-        kg_vec2 b = kg_v2(p->u, p->v * scale);
-        bool far = at.x < fmin(a.x, b.x) - near || at.x > fmax(a.x, b.x) + near ||
-                   at.y < fmin(a.y, b.y) - near || at.y > fmax(a.y, b.y) + near;
-        if (!far) {
-            kg_vec2 d = kg_sub2(b, a);
-            double n = kg_dot2(d, d), f = n > 0 ? kg_dot2(kg_sub2(at, a), d) / n : 0;
-            if (kg_dist2(at, kg_lerp2(a, b, fmin(fmax(f, 0), 1))) <= near)
-                return true;
-        }
-        a = b;
+    kg_vec2 at = kg_v2(u, v * scale), before = at;
+    for (size_t i = 0; i <= edge->count; i++) {
+        kg_cross_point p = kg_region_edge_point(loop, edge, i);
+        kg_vec2 q = of_cutter ? kg_v2(p.s, p.t * scale) : kg_v2(p.u, p.v * scale);
+        bool far = at.x < fmin(before.x, q.x) - near || at.x > fmax(before.x, q.x) + near ||
+                   at.y < fmin(before.y, q.y) - near || at.y > fmax(before.y, q.y) + near;
+        if (i > 0 && !far && distance(at, before, q) <= near)
+            return true;
+        before = q;
     }
+    return false;
+}
+
+bool kg_loop_near(const kg_patch *patch, const kg_region_loop *loop, double u, double v,
+                  double near) {
+    for (size_t i = 0; i < loop->edge_count; i++)
+        if (kg_edge_near(patch, loop, &loop->edges[i], false, u, v, near))
+            return true;
     return false;
 }

@@ -4,9 +4,14 @@
 
 #include "katagami/trim.h"
 
-/* Does (u, v) lie within `near` mm of this run of the loop's chords (a whole edge, or the loop from
- * 0 to point_count)? Distances are taken in the plane (u, v L), L the length of the geodesic. */
-bool kg_loop_near(const kg_patch *patch, const kg_region_loop *loop, size_t first, size_t count,
-                  double u, double v, double near);
+/* Does (u, v) of a patch lie within `near` mm of an edge's polyline? Distances are taken in the
+ * plane (u, v L), L the length of the geodesic.
+ *   of_cutter  the edge is a cut by that patch: compare with its s, t; else with its u, v */
+bool kg_edge_near(const kg_patch *patch, const kg_region_loop *loop, const kg_region_edge *edge,
+                  bool of_cutter, double u, double v, double near);
+
+/* The same of all edges of a loop of this patch. */
+bool kg_loop_near(const kg_patch *patch, const kg_region_loop *loop, double u, double v,
+                  double near);
 
 #endif

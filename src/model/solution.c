@@ -268,8 +268,8 @@ static bool borders_face(const kg_solution *s, size_t i, const kg_region *piece,
                     kg_region_edge_at(&s->patches[k].patch, loop, edge, patch, edge->count / 2,
                                       edge->count == 1 ? 0.5 : 0, NULL);
                 for (size_t n = 0; n < piece->loop_count; n++)
-                    if (kg_loop_near(patch, &piece->loops[n], 0, piece->loops[n].point_count,
-                                     middle.s, middle.t, NEAR_FACE * s->tolerance))
+                    if (kg_loop_near(patch, &piece->loops[n], middle.s, middle.t,
+                                     NEAR_FACE * s->tolerance))
                         return true;
             }
     return false;

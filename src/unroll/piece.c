@@ -1,38 +1,17 @@
 #include "unroll/piece.h"
 
-#include "base/array.h"
-
 #include <stdlib.h>
 
-/* A point this many chord errors from another piece's boundary counts as on it: both boundaries
- * are polylines of the same curve, each off by one chord error. */
-#define ON_EDGE 4.0
-
-/* Stretches shorter than this, mm, hold no glue and are left out: corners where parts touch. */
-#define SHORTEST 0.05
-
-kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution, kg_pieces *out) {
-    kg_pieces pieces = {.solution = solution};
-    size_t n = 0;
-    for (size_t i = 0; i < kg_solution_count(solution); i++)
-        n += kg_solution_patch(solution, i)->regions.count;
-    pieces.items = calloc(n + 1, sizeof *pieces.items);
-    if (!pieces.items)
-        return KG_ERR_MEMORY;
-    for (size_t i = 0; i < kg_solution_count(solution); i++) {
-        const kg_solved_patch *p = kg_solution_patch(solution, i);
-        for (size_t k = 0; k < p->regions.count && p->valid && !p->construction; k++)
-            pieces.items[pieces.count++] =
-                (kg_piece){p, &model->patches[i], &p->regions.items[k], k};
-    }
-    *out = pieces;
-    return KG_OK;
+const kg_region_loop *kg_piece_loop(const kg_pieces *pieces, kg_edge_ref edge) {
+    return &pieces->items[edge.piece].region->loops[edge.loop];
 }
 
-void kg_pieces_clear(kg_pieces *pieces) {
-    free(pieces->items);
-    free(pieces->stretches);
-    *pieces = (kg_pieces){0};
+const kg_region_edge *kg_piece_edge(const kg_pieces *pieces, kg_edge_ref edge) {
+    return &kg_piece_loop(pieces, edge)->edges[edge.edge];
+}
+
+const kg_patch *kg_piece_patch(const kg_pieces *pieces, size_t piece) {
+    return &pieces->items[piece].patch->patch;
 }
 
 const kg_patch *kg_piece_cutter(const kg_pieces *pieces, const kg_region_edge *edge) {
@@ -41,190 +20,167 @@ const kg_patch *kg_piece_cutter(const kg_pieces *pieces, const kg_region_edge *e
     return &kg_solution_find(pieces->solution, edge->source)->patch;
 }
 
-kg_cross_point kg_piece_point(const kg_pieces *pieces, size_t piece, size_t loop, size_t edge,
-                              double position, kg_cross_point *out_slope) {
-    const kg_piece *p = &pieces->items[piece];
-    const kg_region_loop *l = &p->region->loops[loop];
-    const kg_region_edge *e = &l->edges[edge];
+bool kg_piece_closed(const kg_pieces *pieces, kg_edge_ref edge) {
+    return kg_piece_loop(pieces, edge)->edge_count == 1;
+}
+
+/* A position within the edge. */
+static double wrapped(const kg_region_edge *edge, double position) {
+    double count = (double)edge->count;
+    return position > count ? position - count : position < 0 ? position + count : position;
+}
+
+kg_cross_point kg_piece_point(const kg_pieces *pieces, kg_edge_ref edge, double position,
+                              kg_cross_point *out_slope) {
+    const kg_region_loop *l = kg_piece_loop(pieces, edge);
+    const kg_region_edge *e = kg_piece_edge(pieces, edge);
+    position = wrapped(e, position);
     size_t i = (size_t)fmin(floor(position), (double)e->count - 1);
     double f = position - (double)i;
     if (!out_slope && (f == 0 || f == 1))
         return kg_region_edge_point(l, e, i + (f == 1));
-    return kg_region_edge_at(&p->patch->patch, l, e, kg_piece_cutter(pieces, e), i, f, out_slope);
+    return kg_region_edge_at(kg_piece_patch(pieces, edge.piece), l, e, kg_piece_cutter(pieces, e),
+                             i, f, out_slope);
 }
 
-/* ---- where a point of an edge lies on another patch -------------------------------------- */
-
-typedef enum lie { FREE, INSIDE, ON_BOUNDARY } lie;
-
-typedef struct place {
-    lie kind;
-    size_t piece;
-} place;
-
-static bool same_place(place a, place b) {
-    return a.kind == b.kind && a.piece == b.piece;
+kg_measure kg_piece_measure(const kg_pieces *pieces, kg_edge_ref edge, double from, double to) {
+    const kg_region_loop *l = kg_piece_loop(pieces, edge);
+    const kg_region_edge *e = kg_piece_edge(pieces, edge);
+    const kg_patch *patch = kg_piece_patch(pieces, edge.piece);
+    const kg_patch *cutter = kg_piece_cutter(pieces, e);
+    double count = (double)e->count;
+    if (to <= count)
+        return kg_region_edge_measure(patch, l, e, cutter, from, to);
+    if (from >= count)
+        return kg_region_edge_measure(patch, l, e, cutter, from - count, to - count);
+    kg_measure a = kg_region_edge_measure(patch, l, e, cutter, from, count);
+    kg_measure b = kg_region_edge_measure(patch, l, e, cutter, 0, to - count);
+    return (kg_measure){a.space_length + b.space_length, a.paper_length + b.paper_length,
+                        a.space_moment + b.space_moment, a.paper_moment + b.paper_moment};
 }
 
-/* Distance in the (u, v L) plane from a point to a loop, given up on beyond `near`. */
-static bool near_loop(const kg_region_loop *loop, double scale, double u, double v, double near) {
-    kg_vec2 at = kg_v2(u, v * scale);
-    const kg_cross_point *p = &loop->points[loop->point_count - 1];
-    kg_vec2 a = kg_v2(p->u, p->v * scale);
-    for (size_t i = 0; i < loop->point_count; i++) {
-        kg_vec2 b = kg_v2(loop->points[i].u, loop->points[i].v * scale);
-        bool far = at.x < fmin(a.x, b.x) - near || at.x > fmax(a.x, b.x) + near ||
-                   at.y < fmin(a.y, b.y) - near || at.y > fmax(a.y, b.y) + near;
-        if (!far) {
-            kg_vec2 d = kg_sub2(b, a);
-            double n = kg_dot2(d, d), f = n > 0 ? kg_dot2(kg_sub2(at, a), d) / n : 0;
-            if (kg_dist2(at, kg_lerp2(a, b, fmin(fmax(f, 0), 1))) <= near)
-                return true;
-        }
-        a = b;
+double kg_piece_position(const kg_pieces *pieces, kg_edge_ref edge, double from, double length) {
+    double lo = from, end = (double)kg_piece_edge(pieces, edge)->count;
+    if (kg_piece_closed(pieces, edge))
+        end *= 2;
+    while (floor(lo) + 1 < end) {
+        double step = kg_piece_measure(pieces, edge, lo, floor(lo) + 1).space_length;
+        if (step >= length)
+            break;
+        length -= step;
+        lo = floor(lo) + 1;
     }
-    return false;
-}
-
-static place locate(const kg_pieces *pieces, int64_t patch, double s, double t) {
-    double near = ON_EDGE * kg_solution_tolerance(pieces->solution);
-    place found = {FREE, 0};
-    for (size_t i = 0; i < pieces->count; i++) {
-        const kg_piece *p = &pieces->items[i];
-        if (p->patch->id != patch)
-            continue;
-        double scale = p->patch->patch.length_at[KG_PATCH_CELLS];
-        for (size_t k = 0; k < p->region->loop_count; k++)
-            if (near_loop(&p->region->loops[k], scale, s, t, near))
-                return (place){ON_BOUNDARY, i};
-        if (kg_region_contains(p->region, s, t))
-            found = (place){INSIDE, i};
-    }
-    return found;
-}
-
-/* ---- stretches -------------------------------------------------------------------------- */
-
-typedef struct walk {
-    kg_pieces *pieces;
-    size_t piece, loop, edge;
-    int64_t source;
-} walk;
-
-static place place_at(const walk *w, double position) {
-    kg_cross_point p = kg_piece_point(w->pieces, w->piece, w->loop, w->edge, position, NULL);
-    return locate(w->pieces, w->source, p.s, p.t);
-}
-
-static kg_status add_stretch(const walk *w, double from, double to, place at) {
-    const kg_piece *p = &w->pieces->items[w->piece];
-    const kg_region_loop *loop = &p->region->loops[w->loop];
-    const kg_region_edge *e = &loop->edges[w->edge];
-    double length =
-        kg_region_edge_measure(&p->patch->patch, loop, e, kg_piece_cutter(w->pieces, e), from, to)
-            .space_length;
-    if (at.kind == FREE || length < SHORTEST)
-        return KG_OK;
-    kg_pieces *all = w->pieces;
-    if (!kg_reserve_bytes((void **)&all->stretches, &all->stretch_capacity, all->stretch_count + 1,
-                          sizeof *all->stretches))
-        return KG_ERR_MEMORY;
-    size_t own = all->stretch_count++;
-    all->stretches[own] = (kg_stretch){.piece = w->piece,
-                                       .loop = w->loop,
-                                       .edge = w->edge,
-                                       .from = from,
-                                       .to = to,
-                                       .partner = at.piece,
-                                       .on_edge = at.kind == ON_BOUNDARY,
-                                       .mate = own};
-    all->stretches[own].ends[0] = kg_piece_point(all, w->piece, w->loop, w->edge, from, NULL);
-    all->stretches[own].ends[1] = kg_piece_point(all, w->piece, w->loop, w->edge, to, NULL);
-    return KG_OK;
-}
-
-/* Where the place changes between two positions, snapped to a point of the edge that is there. */
-static double change_between(const walk *w, double lo, double hi, place before) {
-    double middle = floor(hi);
-    for (int k = 0; k < 48; k++) {
+    double start = lo, hi = floor(lo) + 1;
+    for (int k = 0; k < 40; k++) {
         double mid = 0.5 * (lo + hi);
-        if (same_place(place_at(w, mid), before))
+        if (kg_piece_measure(pieces, edge, start, mid).space_length < length)
             lo = mid;
         else
             hi = mid;
     }
-    double at = 0.5 * (lo + hi);
-    kg_cross_point p = kg_piece_point(w->pieces, w->piece, w->loop, w->edge, at, NULL);
-    kg_cross_point q = kg_piece_point(w->pieces, w->piece, w->loop, w->edge, middle, NULL);
-    /* The places on either side of a corner blur over ON_EDGE chord errors, at flat angles over
-     * several times that. */
-    double blur = 10 * ON_EDGE * kg_solution_tolerance(w->pieces->solution);
-    return kg_dist(p.x, q.x) <= blur ? middle : at;
+    return 0.5 * (lo + hi);
 }
 
-static kg_status walk_edge(const walk *w, size_t count) {
-    double from = 0;
-    place current = place_at(w, 0.5);
-    kg_status status = KG_OK;
-    for (size_t i = 1; i < count && !status; i++) {
-        place next = place_at(w, (double)i + 0.5);
-        if (same_place(next, current))
-            continue;
-        double at = change_between(w, (double)i - 0.5, (double)i + 0.5, current);
-        if (at > from)
-            status = add_stretch(w, from, at, current);
-        from = at;
-        current = next;
+static int compare_edges(kg_edge_ref a, kg_edge_ref b) {
+    if (a.piece != b.piece)
+        return a.piece < b.piece ? -1 : 1;
+    if (a.loop != b.loop)
+        return a.loop < b.loop ? -1 : 1;
+    return a.edge < b.edge ? -1 : a.edge > b.edge;
+}
+
+bool kg_same_edge(kg_edge_ref a, kg_edge_ref b) {
+    return compare_edges(a, b) == 0;
+}
+
+void kg_piece_stretches(const kg_pieces *pieces, kg_edge_ref edge, size_t *out_first,
+                        size_t *out_end) {
+    size_t lo = 0, hi = pieces->stretch_count;
+    while (lo < hi) {
+        size_t mid = lo + (hi - lo) / 2;
+        if (compare_edges(pieces->stretches[mid].edge, edge) < 0)
+            lo = mid + 1;
+        else
+            hi = mid;
     }
-    return status ? status : add_stretch(w, from, (double)count, current);
+    *out_first = lo;
+    while (hi < pieces->stretch_count && kg_same_edge(pieces->stretches[hi].edge, edge))
+        hi++;
+    *out_end = hi;
 }
 
-/* Two stretches are mates when each lies on the other's piece and their ends coincide. */
-static void mate_stretches(kg_pieces *all) {
-    double near = 20 * ON_EDGE * kg_solution_tolerance(all->solution);
-    for (size_t i = 0; i < all->stretch_count; i++)
-        for (size_t j = i + 1; j < all->stretch_count; j++) {
-            kg_stretch *a = &all->stretches[i], *b = &all->stretches[j];
-            bool fit = a->mate == i && b->mate == j && a->on_edge && b->on_edge &&
-                       a->partner == b->piece && b->partner == a->piece;
-            if (!fit)
-                continue;
-            bool same = kg_dist(a->ends[0].x, b->ends[0].x) <= near &&
-                        kg_dist(a->ends[1].x, b->ends[1].x) <= near;
-            bool opposite = kg_dist(a->ends[0].x, b->ends[1].x) <= near &&
-                            kg_dist(a->ends[1].x, b->ends[0].x) <= near;
-            if (!same && !opposite)
-                continue;
-            /* closed stretches fit both ways: a quarter of the way in tells the direction */
-            if (same && opposite) {
-                kg_vec3 qa = kg_piece_point(all, a->piece, a->loop, a->edge,
-                                            0.75 * a->from + 0.25 * a->to, NULL)
-                                 .x;
-                kg_vec3 b1 = kg_piece_point(all, b->piece, b->loop, b->edge,
-                                            0.75 * b->from + 0.25 * b->to, NULL)
-                                 .x;
-                kg_vec3 b3 = kg_piece_point(all, b->piece, b->loop, b->edge,
-                                            0.25 * b->from + 0.75 * b->to, NULL)
-                                 .x;
-                opposite = kg_dist(qa, b3) < kg_dist(qa, b1);
-            }
-            a->mate = j, b->mate = i;
-            a->mate_reversed = b->mate_reversed = opposite;
-        }
+/* ---- gathering -------------------------------------------------------------------------- */
+
+typedef struct cut_key {
+    int64_t source;
+    kg_edge_ref edge;
+} cut_key;
+
+static int compare_cuts(const void *a, const void *b) {
+    const cut_key *x = a, *y = b;
+    if (x->source != y->source)
+        return x->source < y->source ? -1 : 1;
+    return compare_edges(x->edge, y->edge);
 }
 
-kg_status kg_pieces_find_stretches(kg_pieces *pieces) {
-    kg_status status = KG_OK;
+/* Lists all cut edges by source. */
+static kg_status list_cuts(kg_pieces *pieces) {
+    size_t n = 0;
+    for (size_t i = 0; i < pieces->count; i++)
+        for (size_t k = 0; k < pieces->items[i].region->loop_count; k++)
+            n += pieces->items[i].region->loops[k].edge_count;
+    cut_key *keys = calloc(n + 1, sizeof *keys);
+    pieces->cuts = calloc(n + 1, sizeof *pieces->cuts);
+    if (!keys || !pieces->cuts) {
+        free(keys);
+        return KG_ERR_MEMORY;
+    }
+    n = 0;
     for (size_t i = 0; i < pieces->count; i++)
         for (size_t k = 0; k < pieces->items[i].region->loop_count; k++) {
             const kg_region_loop *loop = &pieces->items[i].region->loops[k];
-            for (size_t e = 0; e < loop->edge_count && !status; e++) {
-                walk w = {pieces, i, k, e, loop->edges[e].source};
+            for (size_t e = 0; e < loop->edge_count; e++)
                 if (loop->edges[e].kind == KG_EDGE_CUT)
-                    status = walk_edge(&w, loop->edges[e].count);
-            }
+                    keys[n++] = (cut_key){loop->edges[e].source, {i, k, e}};
         }
-    if (!status)
-        mate_stretches(pieces);
-    return status;
+    qsort(keys, n, sizeof *keys, compare_cuts);
+    for (size_t i = 0; i < n; i++)
+        pieces->cuts[i] = keys[i].edge;
+    pieces->cut_count = n;
+    free(keys);
+    return KG_OK;
+}
+
+kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution, kg_pieces *out) {
+    kg_pieces pieces = {.solution = solution};
+    size_t patches = kg_solution_count(solution), n = 0;
+    for (size_t i = 0; i < patches; i++)
+        n += kg_solution_patch(solution, i)->regions.count;
+    pieces.items = calloc(n + 1, sizeof *pieces.items);
+    pieces.first_of_patch = calloc(patches + 1, sizeof *pieces.first_of_patch);
+    if (!pieces.items || !pieces.first_of_patch) {
+        kg_pieces_clear(&pieces);
+        return KG_ERR_MEMORY;
+    }
+    for (size_t i = 0; i < patches; i++) {
+        const kg_solved_patch *p = kg_solution_patch(solution, i);
+        pieces.first_of_patch[i] = pieces.count;
+        for (size_t k = 0; k < p->regions.count && p->valid && !p->construction; k++)
+            pieces.items[pieces.count++] = (kg_piece){p, &model->patches[i], &p->regions.items[k]};
+    }
+    pieces.first_of_patch[patches] = pieces.count;
+    if (list_cuts(&pieces)) {
+        kg_pieces_clear(&pieces);
+        return KG_ERR_MEMORY;
+    }
+    *out = pieces;
+    return KG_OK;
+}
+
+void kg_pieces_clear(kg_pieces *pieces) {
+    free(pieces->items);
+    free(pieces->first_of_patch);
+    free(pieces->cuts);
+    free(pieces->stretches);
+    *pieces = (kg_pieces){0};
 }

@@ -1,49 +1,72 @@
-/* Pieces: the regions that become parts, and the stretches of their edges that lie on others. */
+/* Pieces: the regions that become parts. */
 #ifndef KG_UNROLL_PIECE_H
 #define KG_UNROLL_PIECE_H
 
 #include "katagami/unroll.h"
 
-/* A stretch of a cut edge that lies on another piece. Positions are those of
- * kg_region_edge_measure. */
-typedef struct kg_stretch {
-    size_t piece, loop, edge;
-    double from, to;
-    size_t partner; /* piece */
-    bool on_edge;   /* on the partner's boundary: a seam; else inside: a contact */
-    kg_cross_point ends[2];
-    size_t first, count; /* points of the part's loop, set when the part is built */
-    size_t mate;         /* the stretch of the partner's edge it is glued to, or itself */
-    bool mate_reversed;
-} kg_stretch;
-
 typedef struct kg_piece {
     const kg_solved_patch *patch;
     const kg_model_patch *model;
     const kg_region *region;
-    size_t index; /* of the region in its patch */
 } kg_piece;
+
+/* An edge of a piece. */
+typedef struct kg_edge_ref {
+    size_t piece, loop, edge;
+} kg_edge_ref;
+
+/* A stretch of a cut edge that lies on another piece. Positions are those of
+ * kg_region_edge_measure; on an edge that is a whole loop they go on around it beyond `count`. */
+typedef struct kg_stretch {
+    kg_edge_ref edge;
+    double from, to;
+    kg_edge_ref partner; /* of a contact only the piece counts */
+    bool seam;           /* on an edge of the partner, not inside it */
+    size_t mate;         /* seam: the stretch of the partner's edge it is glued to */
+    bool mate_reversed;
+    bool single;         /* seems a seam, but nothing runs along all of it: no join */
+    size_t first, count; /* points of the part's loop, set when the part is built */
+} kg_stretch;
 
 typedef struct kg_pieces {
     const kg_solution *solution;
     size_t count;
-    kg_piece *items;
+    kg_piece *items;        /* those of a patch together, in the order of the model */
+    size_t *first_of_patch; /* by index of the patch in the solution, and one more */
+    size_t cut_count;
+    kg_edge_ref *cuts; /* all cut edges, by source */
     size_t stretch_count, stretch_capacity;
-    kg_stretch *stretches;
+    kg_stretch *stretches; /* by edge, then along it */
 } kg_pieces;
 
 kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution,
                            kg_pieces *out) KG_CHECKED;
 void kg_pieces_clear(kg_pieces *pieces);
 
-/* Finds all stretches, in the order of pieces, loops, edges, and mates those of seams. */
-kg_status kg_pieces_find_stretches(kg_pieces *pieces) KG_CHECKED;
-
-/* The exact point of a piece's edge at a position. */
-kg_cross_point kg_piece_point(const kg_pieces *pieces, size_t piece, size_t loop, size_t edge,
-                              double position, kg_cross_point *out_slope);
+const kg_region_loop *kg_piece_loop(const kg_pieces *pieces, kg_edge_ref edge);
+const kg_region_edge *kg_piece_edge(const kg_pieces *pieces, kg_edge_ref edge);
+const kg_patch *kg_piece_patch(const kg_pieces *pieces, size_t piece);
 
 /* The patch that made a cut edge; NULL for other edges. */
 const kg_patch *kg_piece_cutter(const kg_pieces *pieces, const kg_region_edge *edge);
+
+/* The exact point of an edge at a position; `out_slope` (may be NULL) is its derivative there. */
+kg_cross_point kg_piece_point(const kg_pieces *pieces, kg_edge_ref edge, double position,
+                              kg_cross_point *out_slope);
+
+/* What a part of an edge measures. */
+kg_measure kg_piece_measure(const kg_pieces *pieces, kg_edge_ref edge, double from, double to);
+
+/* The position at this arc length from another. */
+double kg_piece_position(const kg_pieces *pieces, kg_edge_ref edge, double from, double length);
+
+/* Is the edge a whole loop? */
+bool kg_piece_closed(const kg_pieces *pieces, kg_edge_ref edge);
+
+/* The stretches of an edge: [first, one behind the last). */
+void kg_piece_stretches(const kg_pieces *pieces, kg_edge_ref edge, size_t *out_first,
+                        size_t *out_end);
+
+bool kg_same_edge(kg_edge_ref a, kg_edge_ref b);
 
 #endif

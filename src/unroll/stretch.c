@@ -1,0 +1,344 @@
+#include "unroll/stretch.h"
+
+#include "base/array.h"
+#include "model/border.h"
+
+/* A point this many chord errors from an edge counts as on it: both are polylines of the same
+ * curve, each off by one chord error. */
+#define ON_EDGE 4.0
+
+/* What changes along an edge changes within this many chord errors of the true place: the reach of
+ * ON_EDGE at flat angles. */
+#define BLUR 40.0
+
+/* Places are looked up this often, mm: what is narrower neither holds glue nor needs it. */
+#define STEP 2.0
+
+/* Stretches shorter than this, mm, hold no glue and are left out: corners where parts touch. */
+#define SHORTEST 0.05
+
+/* Positions are multiples of this fraction of a chord, so that one turn more or less around a
+ * closed edge is exact. */
+#define GRAIN 0x1p-32
+
+static double grained(double position) {
+    return round(position / GRAIN) * GRAIN;
+}
+
+/* ---- where a point of an edge lies ------------------------------------------------------ */
+
+typedef enum place_kind { FREE, CONTACT, SEAM } place_kind;
+
+typedef struct place {
+    place_kind kind;
+    kg_edge_ref on; /* the edge of a seam; of a contact only the piece */
+} place;
+
+static bool same_place(place a, place b) {
+    return a.kind == b.kind && kg_same_edge(a.on, b.on);
+}
+
+/* An edge to walk along, cut by patch `source`. */
+typedef struct walk {
+    kg_pieces *pieces;
+    kg_edge_ref edge;
+    int64_t source;
+    double near;               /* mm */
+    size_t first, end;         /* pieces of the source */
+    size_t first_cut, end_cut; /* cut edges with the same source */
+} walk;
+
+static bool is_cut_by(const kg_pieces *pieces, kg_edge_ref edge, int64_t source) {
+    const kg_region_edge *e = kg_piece_edge(pieces, edge);
+    return e->kind == KG_EDGE_CUT && e->source == source;
+}
+
+/* On an edge of the source that the walker's patch made? */
+static bool on_mutual_edge(const walk *w, const kg_cross_point *p, place *out) {
+    int64_t own = w->pieces->items[w->edge.piece].patch->id;
+    for (size_t i = w->first; i < w->end; i++)
+        for (size_t k = 0; k < w->pieces->items[i].region->loop_count; k++) {
+            const kg_region_loop *loop = &w->pieces->items[i].region->loops[k];
+            for (size_t e = 0; e < loop->edge_count; e++) {
+                kg_edge_ref at = {i, k, e};
+                if (is_cut_by(w->pieces, at, own) &&
+                    kg_edge_near(kg_piece_patch(w->pieces, i), loop, &loop->edges[e], false, p->s,
+                                 p->t, w->near)) {
+                    *out = (place){SEAM, at};
+                    return true;
+                }
+            }
+        }
+    return false;
+}
+
+/* Inside a piece of the source, or on its border? */
+static bool on_source(const walk *w, const kg_cross_point *p, place *out) {
+    bool found = false;
+    for (size_t i = w->first; i < w->end; i++) {
+        const kg_region *region = w->pieces->items[i].region;
+        bool inside = kg_region_contains(region, p->s, p->t), border = false;
+        for (size_t k = 0; k < region->loop_count && !inside && !border && !found; k++)
+            border =
+                kg_loop_near(kg_piece_patch(w->pieces, i), &region->loops[k], p->s, p->t, w->near);
+        if (inside || border) {
+            *out = (place){CONTACT, {i, 0, 0}};
+            found = true;
+        }
+        if (inside)
+            break;
+    }
+    return found;
+}
+
+/* On another edge that the source made? */
+static bool on_sibling(const walk *w, const kg_cross_point *p, place *out) {
+    const kg_patch *source = &kg_solution_find(w->pieces->solution, w->source)->patch;
+    for (size_t i = w->first_cut; i < w->end_cut; i++) {
+        kg_edge_ref at = w->pieces->cuts[i];
+        if (!kg_same_edge(at, w->edge) &&
+            kg_edge_near(source, kg_piece_loop(w->pieces, at), kg_piece_edge(w->pieces, at), true,
+                         p->s, p->t, w->near)) {
+            *out = (place){SEAM, at};
+            return true;
+        }
+    }
+    return false;
+}
+
+static place place_at(const walk *w, double position) {
+    kg_cross_point p = kg_piece_point(w->pieces, w->edge, position, NULL);
+    place found = {FREE, {0}};
+    if (!on_mutual_edge(w, &p, &found) && !on_source(w, &p, &found))
+        on_sibling(w, &p, &found);
+    return found;
+}
+
+/* ---- walking ---------------------------------------------------------------------------- */
+
+static walk start_walk(kg_pieces *pieces, kg_edge_ref edge) {
+    walk w = {.pieces = pieces,
+              .edge = edge,
+              .source = kg_piece_edge(pieces, edge)->source,
+              .near = ON_EDGE * kg_solution_tolerance(pieces->solution)};
+    size_t i = (size_t)(kg_solution_find(pieces->solution, w.source) -
+                        kg_solution_patch(pieces->solution, 0));
+    w.first = pieces->first_of_patch[i];
+    w.end = pieces->first_of_patch[i + 1];
+    size_t lo = 0, hi = pieces->cut_count;
+    while (lo < hi) {
+        size_t mid = lo + (hi - lo) / 2;
+        if (kg_piece_edge(pieces, pieces->cuts[mid])->source < w.source)
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    w.first_cut = w.end_cut = lo;
+    while (w.end_cut < pieces->cut_count &&
+           kg_piece_edge(pieces, pieces->cuts[w.end_cut])->source == w.source)
+        w.end_cut++;
+    return w;
+}
+
+static kg_status add_stretch(const walk *w, double from, double to, place at) {
+    kg_pieces *all = w->pieces;
+    if (at.kind == FREE || kg_piece_measure(all, w->edge, from, to).space_length < SHORTEST)
+        return KG_OK;
+    if (!kg_reserve_bytes((void **)&all->stretches, &all->stretch_capacity, all->stretch_count + 1,
+                          sizeof *all->stretches))
+        return KG_ERR_MEMORY;
+    all->stretches[all->stretch_count] = (kg_stretch){.edge = w->edge,
+                                                      .from = from,
+                                                      .to = to,
+                                                      .partner = at.on,
+                                                      .seam = at.kind == SEAM,
+                                                      .mate = all->stretch_count};
+    all->stretch_count++;
+    return KG_OK;
+}
+
+/* Where the place changes between two positions, snapped to a point of the edge that is there. */
+static double change_between(const walk *w, double lo, double hi, place before) {
+    for (int k = 0; k < 48; k++) {
+        double mid = 0.5 * (lo + hi);
+        if (same_place(place_at(w, mid), before))
+            lo = mid;
+        else
+            hi = mid;
+    }
+    double at = grained(0.5 * (lo + hi)), nearest = round(at);
+    kg_vec3 x = kg_piece_point(w->pieces, w->edge, at, NULL).x;
+    kg_vec3 y = kg_piece_point(w->pieces, w->edge, nearest, NULL).x;
+    double blur = BLUR * kg_solution_tolerance(w->pieces->solution);
+    return kg_dist(x, y) <= blur ? nearest : at;
+}
+
+/* One stretch runs over the start of a closed edge: joins the first of its edge to the last. */
+static void join_around(kg_pieces *all, kg_edge_ref edge) {
+    size_t first, end;
+    kg_piece_stretches(all, edge, &first, &end);
+    if (!kg_piece_closed(all, edge) || end - first < 2)
+        return;
+    kg_stretch *a = &all->stretches[first], *b = &all->stretches[end - 1];
+    double count = (double)kg_piece_edge(all, edge)->count;
+    if (a->from > 0 || b->to < count || a->seam != b->seam || !kg_same_edge(a->partner, b->partner))
+        return;
+    b->to = count + a->to;
+    for (size_t i = first; i + 1 < end; i++) {
+        all->stretches[i] = all->stretches[i + 1];
+        all->stretches[i].mate = i;
+    }
+    all->stretch_count--;
+}
+
+static kg_status walk_edge(const walk *w) {
+    size_t count = kg_piece_edge(w->pieces, w->edge)->count;
+    double from = 0, before = 0;
+    place current = {FREE, {0}};
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < count; i++) {
+        double length = kg_dist(kg_piece_point(w->pieces, w->edge, (double)i, NULL).x,
+                                kg_piece_point(w->pieces, w->edge, (double)i + 1, NULL).x);
+        double steps = ceil(length / STEP) + (count == 1);
+        for (double k = 0.5; k < steps && !status; k++) {
+            double position = (double)i + k / steps;
+            place next = place_at(w, position);
+            if (before == 0)
+                current = next;
+            if (!same_place(next, current)) {
+                double at = change_between(w, before, position, current);
+                if (at > from)
+                    status = add_stretch(w, from, at, current);
+                from = at;
+                current = next;
+            }
+            before = position;
+        }
+    }
+    if (!status)
+        status = add_stretch(w, from, (double)count, current);
+    if (!status)
+        join_around(w->pieces, w->edge);
+    return status;
+}
+
+/* ---- mating ----------------------------------------------------------------------------- */
+
+static kg_vec3 point_at(const kg_pieces *all, const kg_stretch *s, double length) {
+    return kg_piece_point(all, s->edge, kg_piece_position(all, s->edge, s->from, length), NULL).x;
+}
+
+/* Do two stretches run along the same curve, and in which direction? Ends, quarters and the middle
+ * by arc length tell closed curves and curves between the same ends apart. */
+static bool run_together(const kg_pieces *all, const kg_stretch *a, const kg_stretch *b,
+                         bool *out_reversed) {
+    double near = 2 * BLUR * kg_solution_tolerance(all->solution);
+    double length_a = kg_piece_measure(all, a->edge, a->from, a->to).space_length;
+    double length_b = kg_piece_measure(all, b->edge, b->from, b->to).space_length;
+    bool same = true, opposite = true;
+    for (int i = 0; i <= 4; i++) {
+        kg_vec3 x = point_at(all, a, i * length_a / 4);
+        same = same && kg_dist(x, point_at(all, b, i * length_b / 4)) <= near;
+        opposite = opposite && kg_dist(x, point_at(all, b, (4 - i) * length_b / 4)) <= near;
+        if (!same && !opposite)
+            return false;
+    }
+    *out_reversed = opposite;
+    return true;
+}
+
+/* The stretch of the partner's edge that runs along this one; its own index when there is none. */
+static size_t find_mate(const kg_pieces *all, size_t index, bool *out_reversed) {
+    const kg_stretch *s = &all->stretches[index];
+    size_t first, end;
+    kg_piece_stretches(all, s->partner, &first, &end);
+    for (size_t i = first; i < end; i++)
+        if (i != index && run_together(all, s, &all->stretches[i], out_reversed))
+            return i;
+    return index;
+}
+
+/* Is a position at a corner of the part? */
+static bool is_vertex(const kg_pieces *all, kg_edge_ref edge, double position) {
+    return !kg_piece_closed(all, edge) &&
+           (position == 0 || position == (double)kg_piece_edge(all, edge)->count);
+}
+
+/* The position of an edge nearest to a point, from a position close to it. */
+static double position_near(const kg_pieces *all, kg_edge_ref edge, double position, kg_vec3 x) {
+    double count = (double)kg_piece_edge(all, edge)->count;
+    for (int k = 0; k < 8; k++) {
+        kg_cross_point slope, p = kg_piece_point(all, edge, position, &slope);
+        position += kg_dot(kg_sub(x, p.x), slope.x) / kg_dot(slope.x, slope.x);
+        if (!kg_piece_closed(all, edge))
+            position = fmin(fmax(position, 0), count);
+    }
+    return grained(position);
+}
+
+/* Moves one end of a stretch, and that of the stretch that touches it there. */
+static void move_end(kg_pieces *all, size_t index, bool last, double position) {
+    kg_stretch *s = &all->stretches[index];
+    double *end = last ? &s->to : &s->from, count = (double)kg_piece_edge(all, s->edge)->count;
+    bool closed = kg_piece_closed(all, s->edge);
+    size_t first, behind;
+    kg_piece_stretches(all, s->edge, &first, &behind);
+    for (size_t i = first; i < behind; i++) {
+        double *other = last ? &all->stretches[i].from : &all->stretches[i].to;
+        double gap = *other - *end;
+        if (i != index && (gap == 0 || (closed && fabs(gap) == count)))
+            *other = position + gap;
+    }
+    *end = position;
+}
+
+/* Both sides of a seam end at the same points of space: where one ends at a corner of its part, the
+ * other's end, found to chord errors only, is moved there. */
+static void align_ends(kg_pieces *all, size_t index) {
+    kg_stretch *a = &all->stretches[index], *b = &all->stretches[a->mate];
+    if (kg_piece_closed(all, a->edge) && kg_piece_closed(all, b->edge))
+        return;
+    for (int end = 0; end < 2; end++) {
+        bool last = end, last_b = end ^ a->mate_reversed;
+        double pa = last ? a->to : a->from, pb = last_b ? b->to : b->from;
+        if (!is_vertex(all, b->edge, pb))
+            move_end(all, a->mate, last_b,
+                     position_near(all, b->edge, pb, kg_piece_point(all, a->edge, pa, NULL).x));
+        else if (!is_vertex(all, a->edge, pa))
+            move_end(all, index, last,
+                     position_near(all, a->edge, pa, kg_piece_point(all, b->edge, pb, NULL).x));
+    }
+}
+
+static void mate_stretches(kg_pieces *all) {
+    for (size_t i = 0; i < all->stretch_count; i++) {
+        kg_stretch *s = &all->stretches[i];
+        if (!s->seam)
+            continue;
+        s->mate = find_mate(all, i, &s->mate_reversed);
+        if (s->mate != i)
+            continue;
+        /* along an edge whose stretches end elsewhere: on the source still a contact */
+        s->seam = false;
+        s->single = all->items[s->partner.piece].patch->id != kg_piece_edge(all, s->edge)->source;
+    }
+    for (size_t i = 0; i < all->stretch_count; i++)
+        if (all->stretches[i].mate > i)
+            align_ends(all, i);
+}
+
+kg_status kg_pieces_find_stretches(kg_pieces *pieces) {
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < pieces->count; i++)
+        for (size_t k = 0; k < pieces->items[i].region->loop_count; k++)
+            for (size_t e = 0; e < pieces->items[i].region->loops[k].edge_count; e++) {
+                kg_edge_ref edge = {i, k, e};
+                if (status || kg_piece_edge(pieces, edge)->kind != KG_EDGE_CUT)
+                    continue;
+                walk w = start_walk(pieces, edge);
+                status = walk_edge(&w);
+            }
+    if (!status)
+        mate_stretches(pieces);
+    return status;
+}
