@@ -227,7 +227,7 @@ typedef struct kg_net_layout {
     size_t part_count;
     kg_net_placement *placements; /* one per part */
     double scale;
-    double fill; /* area of the parts over that of the pages within their margins */
+    double fill; /* area cut out (parts with tabs) over that of the pages within their margins */
 } kg_net_layout;
 
 /* Places every part of the net; `progress` (NULL: none) is called while nesting. Errors:

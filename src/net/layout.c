@@ -114,10 +114,21 @@ static void sheet_keep_rim(kg_sheet *sheet, double rim) {
     sheet->usable = kg_sub2(sheet->usable, kg_v2(2 * more, 2 * more));
 }
 
+/* What is cut out of the page: with the tabs, without the holes. */
+static double cut_area(const kg_net_part *part) {
+    double area = 0;
+    for (size_t i = 0; i < part->loop_count; i++) {
+        const kg_net_line *l = &part->loops[i].line;
+        for (size_t k = 0; k < l->count; k++)
+            area += 0.5 * kg_cross2(l->points[k], l->points[(k + 1) % l->count]);
+    }
+    return area;
+}
+
 static void layout_fill(const kg_net *net, const kg_sheet *sheet, kg_net_layout *layout) {
     double area = 0;
     for (size_t i = 0; i < net->part_count; i++)
-        area += net->parts[i].area * layout->scale * layout->scale;
+        area += cut_area(&net->parts[i]) * layout->scale * layout->scale;
     kg_vec2 room = sheet->endless ? layout->page_size : sheet->usable;
     double pages = room.x * room.y * (double)layout->page_count;
     layout->fill = pages > 0 ? area / pages : 0;
