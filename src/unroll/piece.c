@@ -59,28 +59,6 @@ kg_measure kg_piece_measure(const kg_pieces *pieces, kg_edge_ref edge, double fr
                         a.space_moment + b.space_moment, a.paper_moment + b.paper_moment};
 }
 
-double kg_piece_position(const kg_pieces *pieces, kg_edge_ref edge, double from, double length) {
-    double lo = from, end = (double)kg_piece_edge(pieces, edge)->count;
-    if (kg_piece_closed(pieces, edge))
-        end *= 2;
-    while (floor(lo) + 1 < end) {
-        double step = kg_piece_measure(pieces, edge, lo, floor(lo) + 1).space_length;
-        if (step >= length)
-            break;
-        length -= step;
-        lo = floor(lo) + 1;
-    }
-    double start = lo, hi = floor(lo) + 1;
-    for (int k = 0; k < 40; k++) {
-        double mid = 0.5 * (lo + hi);
-        if (kg_piece_measure(pieces, edge, start, mid).space_length < length)
-            lo = mid;
-        else
-            hi = mid;
-    }
-    return 0.5 * (lo + hi);
-}
-
 static int compare_edges(kg_edge_ref a, kg_edge_ref b) {
     if (a.piece != b.piece)
         return a.piece < b.piece ? -1 : 1;

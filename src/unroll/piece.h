@@ -57,9 +57,6 @@ kg_cross_point kg_piece_point(const kg_pieces *pieces, kg_edge_ref edge, double 
 /* What a part of an edge measures. */
 kg_measure kg_piece_measure(const kg_pieces *pieces, kg_edge_ref edge, double from, double to);
 
-/* The position at this arc length from another. */
-double kg_piece_position(const kg_pieces *pieces, kg_edge_ref edge, double from, double length);
-
 /* Is the edge a whole loop? */
 bool kg_piece_closed(const kg_pieces *pieces, kg_edge_ref edge);
 

@@ -140,19 +140,32 @@ static walk start_walk(kg_pieces *pieces, kg_edge_ref edge) {
     return w;
 }
 
+double kg_stretch_chords(const kg_pieces *all, const kg_stretch *s) {
+    double sum = 0;
+    kg_vec3 a = kg_piece_point(all, s->edge, s->from, NULL).x;
+    for (double p = s->from; p < s->to;) {
+        p = fmin(floor(p) + 1, s->to);
+        kg_vec3 b = kg_piece_point(all, s->edge, p, NULL).x;
+        sum += kg_dist(a, b);
+        a = b;
+    }
+    return sum;
+}
+
 static kg_status add_stretch(const walk *w, double from, double to, place at) {
     kg_pieces *all = w->pieces;
-    if (at.kind == FREE || kg_piece_measure(all, w->edge, from, to).space_length < SHORTEST)
+    kg_stretch stretch = {.edge = w->edge,
+                          .from = from,
+                          .to = to,
+                          .partner = at.on,
+                          .seam = at.kind == SEAM,
+                          .mate = all->stretch_count};
+    if (at.kind == FREE || kg_stretch_chords(all, &stretch) < SHORTEST)
         return KG_OK;
     if (!kg_reserve_bytes((void **)&all->stretches, &all->stretch_capacity, all->stretch_count + 1,
                           sizeof *all->stretches))
         return KG_ERR_MEMORY;
-    all->stretches[all->stretch_count] = (kg_stretch){.edge = w->edge,
-                                                      .from = from,
-                                                      .to = to,
-                                                      .partner = at.on,
-                                                      .seam = at.kind == SEAM,
-                                                      .mate = all->stretch_count};
+    all->stretches[all->stretch_count] = stretch;
     all->stretch_count++;
     return KG_OK;
 }
@@ -224,22 +237,38 @@ static kg_status walk_edge(const walk *w) {
 
 /* ---- mating ----------------------------------------------------------------------------- */
 
-static kg_vec3 point_at(const kg_pieces *all, const kg_stretch *s, double length) {
-    return kg_piece_point(all, s->edge, kg_piece_position(all, s->edge, s->from, length), NULL).x;
+/* Points of a stretch at fractions k / MARKS of its length; lengths of chords do here. */
+enum { MARKS = 4 };
+
+static void sample(const kg_pieces *all, const kg_stretch *s, kg_vec3 out[MARKS + 1]) {
+    double length = kg_stretch_chords(all, s), sum = 0;
+    int next = 0;
+    kg_vec3 a = kg_piece_point(all, s->edge, s->from, NULL).x;
+    for (double p = s->from; p < s->to;) {
+        p = fmin(floor(p) + 1, s->to);
+        kg_vec3 b = kg_piece_point(all, s->edge, p, NULL).x;
+        double step = kg_dist(a, b);
+        for (; next <= MARKS && next * length / MARKS <= sum + step; next++)
+            out[next] = kg_lerp(a, b, step > 0 ? (next * length / MARKS - sum) / step : 0);
+        sum += step;
+        a = b;
+    }
+    for (; next <= MARKS; next++)
+        out[next] = a;
 }
 
-/* Do two stretches run along the same curve, and in which direction? Ends, quarters and the middle
- * by arc length tell closed curves and curves between the same ends apart. */
+/* Do two stretches run along the same curve, and in which direction? Quarters by length tell closed
+ * curves and curves between the same ends apart. */
 static bool run_together(const kg_pieces *all, const kg_stretch *a, const kg_stretch *b,
                          bool *out_reversed) {
     double near = 2 * BLUR * kg_solution_tolerance(all->solution);
-    double length_a = kg_piece_measure(all, a->edge, a->from, a->to).space_length;
-    double length_b = kg_piece_measure(all, b->edge, b->from, b->to).space_length;
     bool same = true, opposite = true;
-    for (int i = 0; i <= 4; i++) {
-        kg_vec3 x = point_at(all, a, i * length_a / 4);
-        same = same && kg_dist(x, point_at(all, b, i * length_b / 4)) <= near;
-        opposite = opposite && kg_dist(x, point_at(all, b, (4 - i) * length_b / 4)) <= near;
+    kg_vec3 x[MARKS + 1], y[MARKS + 1];
+    sample(all, a, x);
+    sample(all, b, y);
+    for (int i = 0; i <= MARKS; i++) {
+        same = same && kg_dist(x[i], y[i]) <= near;
+        opposite = opposite && kg_dist(x[i], y[MARKS - i]) <= near;
         if (!same && !opposite)
             return false;
     }

@@ -14,4 +14,7 @@
  */
 kg_status kg_pieces_find_stretches(kg_pieces *pieces) KG_CHECKED;
 
+/* The length of a stretch's chords, mm. */
+double kg_stretch_chords(const kg_pieces *pieces, const kg_stretch *stretch);
+
 #endif

@@ -1,6 +1,9 @@
 #include "unroll/tick.h"
 
 #include "unroll/outline.h"
+#include "unroll/stretch.h"
+
+#include <stdlib.h>
 
 /* Joins longer than this, mm, get ticks, at most SPACING apart. */
 #define LONG_JOIN 60.0
@@ -60,28 +63,48 @@ static kg_status tick_mark(const kg_pieces *all, const kg_stretch *s, double pos
                     error);
 }
 
+/* Positions that divide a stretch into `count` equal lengths: count - 1 of them. Lengths of chords
+ * do: both sides of a seam have the same chords. */
+static void divide(const kg_pieces *all, const kg_stretch *s, int count, double *out) {
+    double length = kg_stretch_chords(all, s), sum = 0;
+    int next = 1;
+    kg_vec3 a = kg_piece_point(all, s->edge, s->from, NULL).x;
+    for (double from = s->from; from < s->to && next < count;) {
+        double to = fmin(floor(from) + 1, s->to);
+        kg_vec3 b = kg_piece_point(all, s->edge, to, NULL).x;
+        double step = kg_dist(a, b);
+        for (; next < count && length * next / count <= sum + step; next++)
+            out[next - 1] = from + (to - from) * (length * next / count - sum) / step;
+        sum += step;
+        from = to;
+        a = b;
+    }
+    for (; next < count; next++)
+        out[next - 1] = s->to;
+}
+
 kg_status kg_ticks_add(const kg_pieces *all, size_t stretch, int join, kg_net *net,
                        kg_error *error) {
     const kg_stretch *s = &all->stretches[stretch], *mate = &all->stretches[s->mate];
-    double length = kg_piece_measure(all, s->edge, s->from, s->to).space_length;
+    double length = net->joins[join].sides[0].length;
     if (length <= LONG_JOIN)
         return KG_OK;
-    double mate_length = kg_piece_measure(all, mate->edge, mate->from, mate->to).space_length;
     int count = (int)ceil(length / SPACING);
-    kg_status status = KG_OK;
-    for (int i = 1; i < count && !status; i++) {
-        double f = (double)i / count,
-               position = kg_piece_position(all, s->edge, s->from, f * length);
-        status = tick_edge(all, s->edge, position, join, net, error);
-        if (status)
-            break;
-        if (!s->seam)
-            status = tick_mark(all, s, position, join, net, error);
-        else
-            status = tick_edge(all, mate->edge,
-                               kg_piece_position(all, mate->edge, mate->from,
-                                                 (s->mate_reversed ? 1 - f : f) * mate_length),
-                               join, net, error);
+    double *own = calloc((size_t)count, sizeof *own), *other = calloc((size_t)count, sizeof *other);
+    kg_status status = own && other ? KG_OK : KG_ERR_MEMORY;
+    if (!status) {
+        divide(all, s, count, own);
+        divide(all, mate, count, other);
     }
+    for (int i = 0; i < count - 1 && !status; i++) {
+        status = tick_edge(all, s->edge, own[i], join, net, error);
+        if (!status && !s->seam)
+            status = tick_mark(all, s, own[i], join, net, error);
+        else if (!status)
+            status = tick_edge(all, mate->edge, other[s->mate_reversed ? count - 2 - i : i], join,
+                               net, error);
+    }
+    free(own);
+    free(other);
     return status;
 }

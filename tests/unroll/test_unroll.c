@@ -55,7 +55,7 @@ static double off_ruling(const kg_patch *p, kg_vec2 q, double v, double *out_u) 
 /* The (u,v) of a point of the printed side, the nearest to `hint` where several rulings run through
  * it. */
 static kg_vec2 fold_back(const kg_patch *p, kg_vec2 q, kg_vec3 hint) {
-    enum { STEPS = 400 };
+    enum { STEPS = 120 };
     if (p->flip)
         q.x = -q.x;
     kg_vec2 best = kg_v2(0, -1);
@@ -241,7 +241,7 @@ static void random_models_unroll_truly(void **state) {
     (void)state;
     kg_random r = {11};
     size_t seams = 0, contacts = 0;
-    for (int round = 0; round < 60; round++) {
+    for (int round = 0; round < 40; round++) {
         kg_model *model = random_model(&r, 6);
         /* let some cut each other both ways */
         for (size_t i = 0; i + 1 < model->patch_count; i++) {
@@ -259,7 +259,7 @@ static void random_models_unroll_truly(void **state) {
         unmake(&m);
     }
     print_message("%zu seams, %zu contacts\n", seams, contacts);
-    assert_true(seams > 15 && contacts > 30);
+    assert_true(seams > 10 && contacts > 30);
 }
 
 /* z = 10 - x²/40 along y, and z = y²/40 along x: they cross in the circle x² + y² = 400. */
