@@ -130,6 +130,8 @@ static kg_status add_tail(const kg_trim *t, size_t chain, bool last, kg_vec2 to,
     double length = 0;
     for (size_t i = 1; i < points.count; i++)
         length += kg_dist(points.items[i - 1].x, points.items[i].x);
+    if (kind == KG_NOTE_PROLONGED)
+        length -= OVERSHOOT * p->size;
     status = kg_chains_add(chains, (kg_chain){.kind = KG_EDGE_TAIL,
                                               .source = source,
                                               .count = points.count,
