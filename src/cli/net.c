@@ -2,7 +2,7 @@
 #include "base/file.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "katagami/document.h"
+#include "katagami/guide.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,6 +23,7 @@ static const kg_option options[] = {
     {"separate", 0, false, NULL, "print and cut lines in files of their own"},
     {"mirrored", 0, false, NULL, "for printing on the back of the paper"},
     {"tolerance", 0, true, "MM", "greatest distance of a line from the true one (0.01)"},
+    {"guide", 0, true, "GUIDE.pdf", "also write an assembly guide"},
     {"json", 0, true, "FILE", "also write a report"},
 };
 enum { OPTION_COUNT = sizeof options / sizeof *options };
@@ -86,8 +87,33 @@ static int read_options(const kg_arguments *a, const kg_document *document, kg_n
     return -1;
 }
 
+/* The files to be written; those beside the net may be NULL. */
+typedef struct outputs {
+    const char *net, *guide, *report;
+} outputs;
+
+/* Writes the pages and, where there is to be one, the guide: both or none. */
+static kg_status write_pages(const kg_document *document, const kg_document_net *net,
+                             const kg_net_options *settings, const outputs *out,
+                             kg_net_layout **out_layout, kg_error *error) {
+    char *temporary = NULL;
+    kg_status status = kg_net_layout_create(net->net, settings, NULL, out_layout, error);
+    if (!status && out->guide)
+        status = kg_file_temporary(out->guide, &temporary, error);
+    if (!status && out->guide)
+        status = kg_guide_write(document, net, *out_layout, settings, temporary, NULL, error);
+    if (!status)
+        status = kg_net_draw(net->net, *out_layout, settings, out->net, error);
+    if (!status && out->guide)
+        status = kg_file_commit(temporary, out->guide, error);
+    else
+        kg_file_discard(temporary);
+    free(temporary);
+    return status;
+}
+
 static kg_status write_net(kg_document *document, const kg_net_options *settings, double tab_width,
-                           const char *path, const char *report, kg_error *error) {
+                           const outputs *out, kg_error *error) {
     kg_document_net net = {0};
     kg_net_layout *layout = NULL;
     char *json = NULL;
@@ -97,11 +123,11 @@ static kg_status write_net(kg_document *document, const kg_net_options *settings
     if (!status)
         status = kg_document_unroll(document, tab_width / settings->scale, &net, error);
     if (!status)
-        status = kg_net_write(net.net, settings, NULL, path, &layout, error);
-    if (!status && report)
+        status = write_pages(document, &net, settings, out, &layout, error);
+    if (!status && out->report)
         status = kg_net_report(net.net, layout, net.remarks, net.remark_count, 0, &json, error);
-    if (!status && report)
-        status = kg_file_write(report, json, strlen(json), error);
+    if (!status && out->report)
+        status = kg_file_write(out->report, json, strlen(json), error);
     for (size_t i = 0; i < net.remark_count && !status; i++)
         fprintf(stderr, "katagami net: warning: patch %lld: %s\n", (long long)net.remarks[i].source,
                 net.remarks[i].message);
@@ -117,9 +143,12 @@ int kg_command_net(int argc, char **argv) {
                                   options, OPTION_COUNT, &a);
     if (code >= 0)
         return code;
-    const char *path = kg_arguments_get(&a, "output");
-    if (a.count != 1 || !path)
+    const outputs out = {kg_arguments_get(&a, "output"), kg_arguments_get(&a, "guide"),
+                         kg_arguments_get(&a, "json")};
+    if (a.count != 1 || !out.net)
         return kg_command_misuse("net", "a model and an output (-o) are wanted");
+    if (out.guide && strcmp(out.guide, "-") == 0)
+        return kg_command_misuse("net", "--guide is the name of a file");
     kg_error error;
     kg_document *document;
     kg_net_options settings;
@@ -127,8 +156,7 @@ int kg_command_net(int argc, char **argv) {
     if (kg_document_read(a.words[0], &document, &error))
         return kg_command_fail("net", &error);
     code = read_options(&a, document, &settings, &tab_width);
-    if (code < 0 &&
-        write_net(document, &settings, tab_width, path, kg_arguments_get(&a, "json"), &error))
+    if (code < 0 && write_net(document, &settings, tab_width, &out, &error))
         code = kg_command_fail("net", &error);
     kg_document_destroy(document);
     return code < 0 ? KG_EXIT_DONE : code;

@@ -25,8 +25,9 @@ BELOW = {
     "origami": ["net"],
     "document": ["model", "unroll", "oa", "origami", "mesh", "net"],
     "render": ["document"],
+    "guide": ["document", "render"],
     "app": ["document", "render"],
-    "cli": ["document", "render", "app"],
+    "cli": ["document", "render", "guide", "app"],
     "samples": ["document"],
 }
 # Public headers named otherwise than their module.

@@ -1,0 +1,97 @@
+#include "guide/guide.h"
+
+#include "base/file.h"
+
+#include <stdlib.h>
+
+/* Of the pictures: fine lines stay smooth at this, and files small. */
+#define DOTS_PER_MM (170 / 25.4)
+
+/* Paper that can lie beside the work, mm; nets on larger sheets have guides on A4. */
+#define HANDY_WIDTH 220
+#define HANDY_HEIGHT 360
+#define LEAST_WIDTH 180
+#define LEAST_HEIGHT 250
+
+char *kg_guide_part_name(const kg_guide *guide, int part, char *out, size_t size) {
+    const kg_net_part *p = &guide->net->parts[part];
+    return p->name && p->name[0] ? kg_words(out, size, KG_WORD_PART_NAMED, p->number, p->name)
+                                 : kg_words(out, size, KG_WORD_PART, p->number);
+}
+
+kg_status kg_guide_picture(kg_guide *guide, const kg_view_of *view, kg_stage_look look,
+                           const kg_camera *camera, kg_vec2 at, kg_vec2 size, kg_error *error) {
+    kg_image image = {0};
+    kg_status status =
+        kg_stage_picture(guide->stage, view, look, camera, (int)lround(size.x * DOTS_PER_MM),
+                         (int)lround(size.y * DOTS_PER_MM), &image, error);
+    if (!status)
+        status = kg_paper_image(guide->paper, &image, at.x, at.y, size.x, error);
+    kg_image_destroy(&image);
+    return status;
+}
+
+kg_status kg_guide_tick(const kg_guide *guide, double fraction, kg_error *error) {
+    const kg_progress *p = guide->progress;
+    return !p || !p->call || p->call(p->user, fraction, "guide")
+               ? KG_OK
+               : kg_fail(error, KG_ERR_CANCELLED, "cancelled");
+}
+
+static kg_vec2 paper_size(const kg_net_layout *layout) {
+    double width = fmin(layout->page_size.x, layout->page_size.y);
+    double height = fmax(layout->page_size.x, layout->page_size.y);
+    bool handy = width >= LEAST_WIDTH && width <= HANDY_WIDTH && height >= LEAST_HEIGHT &&
+                 height <= HANDY_HEIGHT;
+    return handy ? kg_v2(width, height) : kg_v2(210, 297);
+}
+
+static kg_status order_parts(kg_guide *guide, kg_error *error) {
+    kg_guide_order_options options = kg_guide_order_options_default();
+    bool *inside = calloc(guide->net->join_count + 1, sizeof *inside);
+    if (!inside)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    for (size_t i = 0; i < guide->net->join_count; i++)
+        inside[i] = guide->assembly->joins[i].inside;
+    options.inside = inside;
+    options.opening /= guide->layout->scale;
+    kg_status status = kg_guide_order_create(guide->net, &options, &guide->order, error);
+    free(inside);
+    return status;
+}
+
+static kg_status open_paper(kg_guide *guide, kg_error *error) {
+    char title[KG_SENTENCE], footer[KG_SENTENCE];
+    bool titled = guide->net->title && guide->net->title[0];
+    kg_words(title, sizeof title, KG_WORD_UNTITLED);
+    kg_words(footer, sizeof footer, KG_WORD_FOOTER, titled ? guide->net->title : title);
+    return kg_paper_create(paper_size(guide->layout), footer, footer, &guide->paper, error);
+}
+
+kg_status kg_guide_write(const kg_document *document, const kg_document_net *net,
+                         const kg_net_layout *layout, const kg_net_options *options,
+                         const char *path, const kg_progress *progress, kg_error *error) {
+    kg_guide guide = {.net = net->net, .layout = layout, .options = options, .progress = progress};
+    if (kg_document_get_kind(document) != KG_DOCUMENT_PATCHES)
+        return kg_fail(error, KG_ERR_INPUT, "assembly guides are made for patch models only");
+    kg_status status = kg_assembly_create(document, guide.net, &guide.assembly, error);
+    if (!status)
+        status = order_parts(&guide, error);
+    if (!status)
+        status = kg_stage_create(guide.assembly, &guide.stage, error);
+    if (!status)
+        status = open_paper(&guide, error);
+    if (!status)
+        status = kg_guide_opening(&guide, error);
+    if (!status)
+        status = kg_guide_steps(&guide, error);
+    if (!status)
+        status = kg_paper_finish(guide.paper, error);
+    if (!status)
+        status = kg_file_write(path, guide.paper->bytes.items, guide.paper->bytes.count, error);
+    kg_paper_destroy(guide.paper);
+    kg_stage_destroy(guide.stage);
+    kg_guide_order_destroy(guide.order);
+    kg_assembly_destroy(guide.assembly);
+    return status;
+}
