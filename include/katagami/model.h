@@ -65,12 +65,33 @@ typedef struct kg_reference {
     struct json_t *json;
 } kg_reference;
 
+typedef enum kg_join_tab {
+    KG_JOIN_TAB_AUTO,
+    KG_JOIN_TAB_NONE,
+    KG_JOIN_TAB_THIS,
+    KG_JOIN_TAB_OTHER
+} kg_join_tab;
+
+typedef enum kg_join_shape { KG_JOIN_AUTO, KG_JOIN_TRAPEZOID, KG_JOIN_TEETH } kg_join_shape;
+
+/* What the user wishes for all joins between two patches. */
+typedef struct kg_model_join {
+    int64_t patches[2];
+    kg_join_tab tab; /* THIS: on the part of patches[0] */
+    double width;    /* mm; 0: the net's */
+    kg_join_shape shape;
+    bool merge; /* fold there instead of glue, where the parts are flat enough */
+    struct json_t *json;
+} kg_model_join;
+
 /* How nets of this model are written unless a command says otherwise. */
 typedef struct kg_model_net {
     char *paper;      /* "A4", "210x297", "none"; NULL: A4 */
     double margin;    /* mm, default 8 */
     double scale;     /* default 1 */
     double tab_width; /* mm, default 5 */
+    size_t join_count;
+    kg_model_join *joins;
     struct json_t *json;
 } kg_model_net;
 
@@ -103,6 +124,9 @@ KG_API kg_status kg_model_write_memory(const kg_model *model, char **out_text, s
                                        kg_error *error) KG_CHECKED;
 
 KG_API kg_model_patch *kg_model_find(const kg_model *model, int64_t id);
+
+/* The wish for joins between two patches, in either order; NULL: none. */
+KG_API const kg_model_join *kg_model_find_join(const kg_model *model, int64_t a, int64_t b);
 
 /* ---- solution --------------------------------------------------------------------------- */
 

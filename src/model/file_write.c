@@ -132,13 +132,36 @@ static json_t *write_reference(const kg_reference *ref) {
     return o;
 }
 
+static json_t *write_join(const kg_model_join *join) {
+    static const char *const tabs[] = {"auto", "none", "this", "other"};
+    static const char *const shapes[] = {"auto", "trapezoid", "teeth"};
+    json_t *o = start(join->json);
+    bool ok =
+        o &&
+        set(o, "patches",
+            json_pack("[I,I]", (json_int_t)join->patches[0], (json_int_t)join->patches[1])) &&
+        set_unless(o, "tab", join->tab == KG_JOIN_TAB_AUTO, json_string(tabs[join->tab])) &&
+        set_unless(o, "shape", join->shape == KG_JOIN_AUTO, json_string(shapes[join->shape])) &&
+        set_unless(o, "merge", !join->merge, json_boolean(join->merge)) &&
+        set_if(o, "width", join->width > 0, number(join->width));
+    if (!ok) {
+        json_decref(o);
+        return NULL;
+    }
+    return o;
+}
+
 static json_t *write_net(const kg_model_net *net) {
-    json_t *o = start(net->json);
-    bool ok = o &&
+    json_t *o = start(net->json), *joins = json_array();
+    bool ok = o && joins &&
               set_unless(o, "paper", !net->paper, json_string(net->paper ? net->paper : "A4")) &&
               set_unless(o, "margin", net->margin == 8, number(net->margin)) &&
               set_unless(o, "scale", net->scale == 1, number(net->scale)) &&
               set_unless(o, "tab_width", net->tab_width == 5, number(net->tab_width));
+    for (size_t i = 0; i < net->join_count && ok; i++)
+        ok = json_array_append_new(joins, write_join(&net->joins[i])) == 0;
+    ok = ok && set_unless(o, "joins", net->join_count == 0, json_incref(joins));
+    json_decref(joins);
     if (!ok) {
         json_decref(o);
         return NULL;

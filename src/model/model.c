@@ -45,6 +45,9 @@ void kg_model_destroy(kg_model *m) {
     free(m->title);
     free(m->reference.file);
     json_decref(m->reference.json);
+    for (size_t i = 0; i < m->net.join_count; i++)
+        json_decref(m->net.joins[i].json);
+    free(m->net.joins);
     free(m->net.paper);
     json_decref(m->net.json);
     json_decref(m->json);
@@ -103,11 +106,17 @@ kg_model *kg_model_copy(const kg_model *from) {
     to->reference.json = json_incref(from->reference.json);
     to->net.json = json_incref(from->net.json);
     to->title = to->reference.file = to->net.paper = NULL;
+    to->net.joins = NULL;
+    to->net.join_count = 0;
     to->patch_count = 0;
     to->patches = calloc(from->patch_count + 1, sizeof *to->patches);
     bool ok = to->patches && copy_text(from->title, &to->title) &&
               copy_text(from->reference.file, &to->reference.file) &&
-              copy_text(from->net.paper, &to->net.paper);
+              copy_text(from->net.paper, &to->net.paper) &&
+              copy_array(from->net.joins, from->net.join_count, sizeof *from->net.joins,
+                         (void **)&to->net.joins);
+    for (size_t i = 0; i < from->net.join_count && ok; i++, to->net.join_count = i)
+        json_incref(to->net.joins[i].json);
     for (size_t i = 0; i < from->patch_count && ok; i++) {
         to->patch_count++;
         ok = copy_patch(&from->patches[i], &to->patches[i]);
@@ -123,5 +132,14 @@ kg_model_patch *kg_model_find(const kg_model *model, int64_t id) {
     for (size_t i = 0; i < model->patch_count; i++)
         if (model->patches[i].id == id)
             return &model->patches[i];
+    return NULL;
+}
+
+const kg_model_join *kg_model_find_join(const kg_model *model, int64_t a, int64_t b) {
+    for (size_t i = 0; i < model->net.join_count; i++) {
+        const int64_t *p = model->net.joins[i].patches;
+        if ((p[0] == a && p[1] == b) || (p[0] == b && p[1] == a))
+            return &model->net.joins[i];
+    }
     return NULL;
 }

@@ -130,7 +130,23 @@ static kg_status join_mark(const kg_pieces *all, const kg_stretch *s, kg_net *ne
     return status;
 }
 
-static kg_status add_join(const kg_pieces *all, size_t index, kg_unrolled *out, kg_error *error) {
+/* What the user wishes for the joins of these patches. */
+static void apply_wish(const kg_model *model, kg_net_join *join) {
+    static const kg_net_tab_side sides[] = {KG_TAB_AUTO, KG_TAB_NONE, KG_TAB_THIS, KG_TAB_OTHER};
+    static const kg_net_tab_shape shapes[] = {KG_TAB_SHAPE_AUTO, KG_TAB_TRAPEZOID, KG_TAB_TEETH};
+    const kg_model_join *wish = kg_model_find_join(model, join->sources[0], join->sources[1]);
+    if (!wish)
+        return;
+    kg_join_tab tab = wish->tab;
+    if (wish->patches[0] != join->sources[0] && tab >= KG_JOIN_TAB_THIS)
+        tab = tab == KG_JOIN_TAB_THIS ? KG_JOIN_TAB_OTHER : KG_JOIN_TAB_THIS;
+    join->tab_side = sides[tab];
+    join->tab_shape = shapes[wish->shape];
+    join->tab_width = wish->width;
+}
+
+static kg_status add_join(const kg_model *model, const kg_pieces *all, size_t index,
+                          kg_unrolled *out, kg_error *error) {
     const kg_stretch *s = &all->stretches[index];
     size_t number = out->net->join_count;
     if (s->single || (s->mate < index && all->stretches[s->mate].mate == index))
@@ -139,6 +155,7 @@ static kg_status add_join(const kg_pieces *all, size_t index, kg_unrolled *out, 
         .sides = {outline_side(all, s), {0}},
         .sources = {all->items[s->edge.piece].patch->id, all->items[s->partner.piece].patch->id},
         .fold = {kg_stretch_fold(all, index), 0}};
+    apply_wish(model, &join);
     double **bends = &out->bends[2 * number];
     kg_status status = kg_stretch_bends(all, index, &bends[0]);
     if (!status)
@@ -170,7 +187,7 @@ kg_status kg_unroll(const kg_model *model, const kg_solution *solution, kg_unrol
         status = out->bends && out->net->title ? KG_OK : KG_ERR_MEMORY;
     }
     for (size_t i = 0; i < all.stretch_count && !status; i++)
-        status = add_join(&all, i, out, error);
+        status = add_join(model, &all, i, out, error);
     kg_pieces_clear(&all);
     if (status) {
         kg_unrolled_destroy(out);

@@ -67,6 +67,15 @@ static void every_member_is_read(void **state) {
     assert_near(m->net.margin, 9, 0);
     assert_near(m->net.scale, 2, 0);
     assert_near(m->net.tab_width, 4.5, 0);
+    assert_int_equal(m->net.join_count, 2);
+    const kg_model_join *join = kg_model_find_join(m, 1, 3);
+    assert_ptr_equal(join, &m->net.joins[0]);
+    assert_int_equal(join->tab, KG_JOIN_TAB_OTHER);
+    assert_int_equal(join->shape, KG_JOIN_TEETH);
+    assert_near(join->width, 3, 0);
+    assert_true(join->merge);
+    assert_int_equal(kg_model_find_join(m, 2, 1)->tab, KG_JOIN_TAB_AUTO);
+    assert_null(kg_model_find_join(m, 2, 3));
     assert_int_equal(m->patch_count, 3);
     const kg_model_patch *p = &m->patches[0];
     assert_string_equal(p->name, "背中");
@@ -265,9 +274,15 @@ static const struct refusal {
     {HEAD "\"reference\": {\n\"size_mm\": -1}}", "m:2:", "size_mm"},
     {HEAD "\"reference\": {\n\"size_mm\": 0}}", "m:2:", "size_mm"},
     {HEAD "\"reference\": {\n\"opacity\": 2}}", "m:2:", "opacity"},
-    {HEAD "\"reference\": {\n\"up\": \"x\"}}", "m:2:", "up"},
+    {HEAD "\"reference\": {\n\"up\": \"x\"}}", "m:3:", "up"},
     {HEAD "\"reference\": {\n\"matrix\": [[1,2],[3,4]]}}", "m:3:", "4 rows"},
     {HEAD "\"net\": {\n\"scale\": 0}}", "m:2:", "scale"},
+    {HEAD "\"net\": {\"joins\":\n 1}}", "m:3:", "list"},
+    {HEAD "\"net\": {\"joins\": [\n1]}}", "m:3:", "patches"},
+    {HEAD "\"net\": {\"joins\": [\n{\"patches\": [1]}]}}", "m:3:", "patches"},
+    {HEAD "\"net\": {\"joins\": [{\"patches\": [1, 2],\n\"tab\": 1}]}}",
+     "m:3:", "\"none\", \"this\""},
+    {HEAD "\"net\": {\"joins\": [{\"patches\": [1, 2],\n\"width\": 0}]}}", "m:2:", "above 0"},
     {HEAD "\"net\": {\n\"margin\": \"8\"}}", "m:3:", "number"},
 };
 

@@ -395,6 +395,26 @@ static void a_contact_across_a_seam_is_two(void **state) {
     }
 }
 
+static void wishes_for_joins_follow_the_patches_they_name(void **state) {
+    (void)state;
+    for (int order = 0; order < 2; order++) {
+        kg_model *model = gable(0.4, 2.5, false, true);
+        model->net.joins = checked(calloc(1, sizeof *model->net.joins));
+        model->net.join_count = 1;
+        model->net.joins[0] = (kg_model_join){.patches = {order ? 2 : 1, order ? 1 : 2},
+                                              .tab = KG_JOIN_TAB_THIS,
+                                              .width = 3,
+                                              .shape = KG_JOIN_TEETH};
+        made m = make(model);
+        const kg_net_join *j = &m.net->joins[0];
+        assert_int_equal(j->sources[0], 1);
+        assert_int_equal(j->tab_side, order ? KG_TAB_OTHER : KG_TAB_THIS);
+        assert_int_equal(j->tab_shape, KG_TAB_TEETH);
+        assert_near(j->tab_width, 3, 0);
+        unmake(&m);
+    }
+}
+
 /* ---- outlines --------------------------------------------------------------------------- */
 
 static void contours_keep_their_corners_and_smooth_joints_have_none(void **state) {
@@ -483,6 +503,7 @@ int main(void) {
         cmocka_unit_test(the_parts_of_a_split_patch_are_joined),
         cmocka_unit_test(patches_that_meet_on_a_construction_plane_are_joined),
         cmocka_unit_test(a_third_patch_on_a_seam_is_joined_once),
+        cmocka_unit_test(wishes_for_joins_follow_the_patches_they_name),
         cmocka_unit_test(a_contact_across_a_seam_is_two),
         cmocka_unit_test(contours_keep_their_corners_and_smooth_joints_have_none),
         cmocka_unit_test(ticks_of_both_sides_meet_in_space),

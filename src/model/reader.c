@@ -1,0 +1,151 @@
+#include "model/reader.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+kg_status kg_read_fail(kg_reader *r, const char *format, ...) {
+    char message[KG_ERROR_SIZE / 2], where[32] = "";
+    va_list args;
+    va_start(args, format);
+    vsnprintf(message, sizeof message, format, args);
+    va_end(args);
+    if (r->in_patch)
+        snprintf(where, sizeof where, "patch %lld: ", (long long)r->patch);
+    return kg_fail(r->error, KG_ERR_PARSE, "%s:%d: %s%s", r->name,
+                   kg_json_line(r->text, r->path, r->depth), where, message);
+}
+
+void kg_read_enter(kg_reader *r, const char *key, size_t index) {
+    r->path[r->depth++] = (kg_json_step){key, index};
+}
+
+void kg_read_leave(kg_reader *r) {
+    r->depth--;
+}
+
+/* ---- values ----------------------------------------------------------------------------- */
+
+static kg_status read_number(kg_reader *r, const json_t *v, double limit, double *out) {
+    if (!json_is_number(v))
+        return kg_read_fail(r, "a number is wanted here");
+    double x = json_number_value(v);
+    if (!(fabs(x) <= limit))
+        return kg_read_fail(r, "%g is beyond %g", x, limit);
+    *out = x;
+    return KG_OK;
+}
+
+/* An optional member; absent leaves `*out`. */
+kg_status kg_read_double(kg_reader *r, const json_t *object, const char *key, double *out) {
+    const json_t *v = json_object_get(object, key);
+    if (!v)
+        return KG_OK;
+    kg_read_enter(r, key, 0);
+    kg_status status = read_number(r, v, KG_MAX_COORDINATE, out);
+    kg_read_leave(r);
+    return status;
+}
+
+kg_status kg_read_bool(kg_reader *r, const json_t *object, const char *key, bool *out) {
+    const json_t *v = json_object_get(object, key);
+    if (!v)
+        return KG_OK;
+    kg_read_enter(r, key, 0);
+    kg_status status = json_is_boolean(v) ? KG_OK : kg_read_fail(r, "\"%s\" is true or false", key);
+    kg_read_leave(r);
+    if (!status)
+        *out = json_is_true(v);
+    return status;
+}
+
+kg_status kg_read_string(kg_reader *r, const json_t *object, const char *key, char **out) {
+    const json_t *v = json_object_get(object, key);
+    if (!v)
+        return KG_OK;
+    kg_read_enter(r, key, 0);
+    kg_status status = json_is_string(v) ? KG_OK : kg_read_fail(r, "\"%s\" is a text", key);
+    kg_read_leave(r);
+    if (status)
+        return status;
+    char *copy = strdup(json_string_value(v));
+    if (!copy)
+        return KG_ERR_MEMORY;
+    free(*out);
+    *out = copy;
+    return KG_OK;
+}
+
+/* An array of `n` numbers. */
+kg_status kg_read_numbers(kg_reader *r, const json_t *v, size_t n, double *out) {
+    if (!json_is_array(v) || json_array_size(v) != n)
+        return kg_read_fail(r, "%zu numbers are wanted here", n);
+    for (size_t i = 0; i < n; i++) {
+        kg_read_enter(r, NULL, i);
+        kg_status status = read_number(r, json_array_get(v, i), KG_MAX_COORDINATE, &out[i]);
+        kg_read_leave(r);
+        if (status)
+            return status;
+    }
+    return KG_OK;
+}
+
+/* An array of rows of `width` doubles (2 or 3), as kg_vec2 or kg_vec3. */
+kg_status kg_read_rows(kg_reader *r, const json_t *v, size_t width, void **out_rows,
+                       size_t *out_count) {
+    if (!json_is_array(v))
+        return kg_read_fail(r, "a list of points is wanted here");
+    size_t n = json_array_size(v);
+    double *rows = calloc(n + 1, width * sizeof *rows);
+    if (!rows)
+        return KG_ERR_MEMORY;
+    for (size_t i = 0; i < n; i++) {
+        kg_read_enter(r, NULL, i);
+        kg_status status = kg_read_numbers(r, json_array_get(v, i), width, rows + i * width);
+        kg_read_leave(r);
+        if (status) {
+            free(rows);
+            return status;
+        }
+    }
+    *out_rows = rows;
+    *out_count = n;
+    return KG_OK;
+}
+
+kg_status kg_read_object(kg_reader *r, const json_t *parent, const char *key, const json_t **out) {
+    const json_t *v = json_object_get(parent, key);
+    if (v && !json_is_object(v)) {
+        kg_read_enter(r, key, 0);
+        kg_status status = kg_read_fail(r, "\"%s\" is an object: { … }", key);
+        kg_read_leave(r);
+        return status;
+    }
+    *out = v;
+    return KG_OK;
+}
+
+kg_status kg_read_word(kg_reader *r, const json_t *object, const char *key,
+                       const char *const *words, size_t count, size_t *out) {
+    const json_t *v = json_object_get(object, key);
+    char list[128] = "";
+    if (!v)
+        return KG_OK;
+    for (size_t i = 0; i < count; i++) {
+        if (json_is_string(v) && strcmp(json_string_value(v), words[i]) == 0) {
+            *out = i;
+            return KG_OK;
+        }
+        size_t n = strlen(list);
+        snprintf(list + n, sizeof list - n, "%s\"%s\"", i ? ", " : "", words[i]);
+    }
+    kg_read_enter(r, key, 0);
+    kg_status status = kg_read_fail(r, "\"%s\" is one of %s", key, list);
+    kg_read_leave(r);
+    return status;
+}
+
+json_t *kg_read_keep(const json_t *v) {
+    return json_incref((json_t *)(uintptr_t)v);
+}
