@@ -88,6 +88,17 @@ typedef struct kg_net_loop {
                          other way round */
 } kg_net_loop;
 
+/* Pages a net can have. */
+enum { KG_NET_PAGES_MAX = 1000 };
+
+/* Where a part lies: a point p of it comes to  scale * R(angle) p + offset  on its page, R turning
+ * x towards y. Parts are never mirrored. */
+typedef struct kg_net_placement {
+    int page; /* from 0 */
+    double angle;
+    kg_vec2 offset;
+} kg_net_placement;
+
 typedef struct kg_net_part {
     int number;        /* printed on it, from 1 */
     int64_t source;    /* id of the patch (or card, sheet) it is made from */
@@ -100,6 +111,8 @@ typedef struct kg_net_part {
     double surface; /* true area in space, mm² */
     double perimeter;
     double isometry_error;
+    bool pinned; /* stays where the user put it; the others keep clear of it */
+    kg_net_placement pin;
 } kg_net_part;
 
 typedef struct kg_net {
@@ -213,14 +226,6 @@ KG_API kg_status kg_net_paper_parse(const char *text, kg_vec2 *out_paper,
 
 /* ---- pages ------------------------------------------------------------------------------ */
 
-/* Where a part lies: a point p of it comes to  scale * R(angle) p + offset  on its page, R turning
- * x towards y. Parts are never mirrored. */
-typedef struct kg_net_placement {
-    int page; /* from 0 */
-    double angle;
-    kg_vec2 offset;
-} kg_net_placement;
-
 typedef struct kg_net_layout {
     kg_vec2 page_size; /* mm, of every page */
     size_t page_count;
@@ -230,9 +235,10 @@ typedef struct kg_net_layout {
     double fill; /* area cut out (parts with tabs) over that of the pages within their margins */
 } kg_net_layout;
 
-/* Places every part of the net; `progress` (NULL: none) is called while nesting. Errors:
- * KG_ERR_INPUT (an option out of its range; no parts, or what kg_net_check refuses; a part larger
- * than the page: names it, its size and what would help), KG_ERR_CANCELLED, KG_ERR_MEMORY. */
+/* Places every part of the net; `progress` (NULL: none) is called while nesting. Pinned parts lie
+ * where their pins say, be that off the page; without paper pins mean nothing. Errors: KG_ERR_INPUT
+ * (an option out of its range; no parts, or what kg_net_check refuses; a part larger than the page:
+ * names it, its size and what would help; a pin that is no place), KG_ERR_CANCELLED, KG_ERR_MEMORY. */
 KG_API kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
                                       const kg_progress *progress, kg_net_layout **out_layout,
                                       kg_error *error) KG_CHECKED;

@@ -1,6 +1,6 @@
 #include "net/layout.h"
 
-#include "net/nest.h"
+#include "net/shapes.h"
 #include "net/shelf.h"
 
 #include <stdlib.h>
@@ -18,54 +18,37 @@ kg_vec2 kg_layout_apply(const kg_net_layout *layout, size_t part, kg_vec2 p) {
 
 /* ---- nesting --------------------------------------------------------------------------------- */
 
-/* The net's parts in written size, as nesting wants them. */
-typedef struct shapes {
-    kg_nest_part *parts;
-    kg_nest_loop *loops;
-    kg_vec2 *points;
-    kg_nest_place *places;
-} shapes;
-
-static void shapes_clear(shapes *s) {
-    free(s->parts);
-    free(s->loops);
-    free(s->points);
-    free(s->places);
+/* Tells nesting where the pinned parts lie. */
+static void pin_parts(const kg_net *net, const kg_sheet *sheet, kg_nest_part *parts) {
+    for (size_t i = 0; i < net->part_count; i++) {
+        const kg_net_placement *pin = &net->parts[i].pin;
+        parts[i].pinned = net->parts[i].pinned;
+        parts[i].pin = (kg_nest_place){
+            .page = pin->page, .angle = pin->angle, .offset = kg_sub2(pin->offset, sheet->origin)};
+    }
 }
 
-static bool shapes_create(const kg_net *net, double scale, shapes *out) {
-    size_t loops = 0, points = 0;
+/* Copies what nesting found. False: it left parts out. */
+static bool take_places(const kg_net *net, const kg_sheet *sheet, const kg_nest_place *places,
+                        kg_net_layout *layout) {
     for (size_t i = 0; i < net->part_count; i++) {
-        loops += net->parts[i].loop_count;
-        for (size_t k = 0; k < net->parts[i].loop_count; k++)
-            points += net->parts[i].loops[k].line.count;
+        const kg_nest_place *place = &places[i];
+        if (place->page < 0)
+            return false;
+        layout->placements[i] = net->parts[i].pinned
+                                    ? net->parts[i].pin
+                                    : (kg_net_placement){place->page, place->angle,
+                                                         kg_add2(place->offset, sheet->origin)};
+        if (layout->page_count < (size_t)place->page + 1)
+            layout->page_count = (size_t)place->page + 1;
     }
-    shapes s = {calloc(net->part_count, sizeof *s.parts), calloc(loops, sizeof *s.loops),
-                calloc(points, sizeof *s.points), calloc(net->part_count, sizeof *s.places)};
-    if (!s.parts || !s.loops || !s.points || !s.places) {
-        shapes_clear(&s);
-        return false;
-    }
-    kg_nest_loop *loop = s.loops;
-    kg_vec2 *point = s.points;
-    for (size_t i = 0; i < net->part_count; i++) {
-        const kg_net_part *part = &net->parts[i];
-        s.parts[i] = (kg_nest_part){.loops = loop, .loop_count = part->loop_count};
-        for (size_t k = 0; k < part->loop_count; k++, loop++) {
-            const kg_net_line *line = &part->loops[k].line;
-            *loop = (kg_nest_loop){point, line->count};
-            for (size_t j = 0; j < line->count; j++)
-                *point++ = kg_scale2(line->points[j], scale);
-        }
-    }
-    *out = s;
     return true;
 }
 
 static kg_status nest(const kg_net *net, const kg_net_options *options, const kg_sheet *sheet,
                       const kg_progress *progress, kg_net_layout *layout, kg_error *error) {
-    shapes s;
-    if (!shapes_create(net, options->scale, &s))
+    kg_shapes shapes;
+    if (!kg_shapes_create(net, options->scale, &shapes))
         return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
     kg_nest_options o = kg_nest_options_default();
     o.width = sheet->usable.x;
@@ -74,22 +57,18 @@ static kg_status nest(const kg_net *net, const kg_net_options *options, const kg
     o.turn = options->grain ? KG_NEST_HALF_TURN : KG_NEST_FREE;
     o.forbidden_count = (size_t)sheet->forbidden_count;
     o.forbidden = sheet->forbidden;
-    kg_status status = kg_nest(s.parts, net->part_count, &o, progress, s.places, error);
-    for (size_t i = 0; status == KG_OK && i < net->part_count; i++) {
-        const kg_nest_place *place = &s.places[i];
-        if (place->page < 0) {
-            /* Nesting works on a raster; rows hold a part that fills its page to the last line, or
-             * say what is wrong. */
-            layout->page_count = 0;
-            status = kg_shelf_place(net, options, sheet, layout, error);
-            break;
-        }
-        layout->placements[i] =
-            (kg_net_placement){place->page, place->angle, kg_add2(place->offset, sheet->origin)};
-        if (layout->page_count < (size_t)place->page + 1)
-            layout->page_count = (size_t)place->page + 1;
+    pin_parts(net, sheet, shapes.parts);
+    kg_nest_place *places = calloc(net->part_count, sizeof *places);
+    kg_status status = places ? kg_nest(shapes.parts, net->part_count, &o, progress, places, error)
+                              : kg_fail(error, KG_ERR_MEMORY, "out of memory while placing parts");
+    if (!status && !take_places(net, sheet, places, layout)) {
+        /* Nesting works on a raster; rows hold a part that fills its page to the last line, or say
+         * what is wrong. */
+        layout->page_count = 0;
+        status = kg_shelf_place(net, options, sheet, layout, error);
     }
-    shapes_clear(&s);
+    free(places);
+    kg_shapes_clear(&shapes);
     return status;
 }
 

@@ -175,6 +175,10 @@ static kg_status part_check(const kg_net *net, const kg_net_part *part, kg_error
         if (status != KG_OK)
             return status;
     }
+    const kg_net_placement *pin = &part->pin;
+    if (part->pinned && !(pin->page >= 0 && pin->page < KG_NET_PAGES_MAX && isfinite(pin->angle) &&
+                          fabs(pin->offset.x) <= 1e6 && fabs(pin->offset.y) <= 1e6))
+        return kg_fail(error, KG_ERR_INPUT, "part %d is pinned to no place", part->number);
     return KG_OK;
 }
 

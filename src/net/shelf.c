@@ -217,10 +217,26 @@ static bool shelves_place(shelves *s, const item *it, int *out_page, kg_vec2 *ou
     return false;
 }
 
+/* Puts the pinned parts where they belong; returns the pages up to the last of them, on which rows
+ * would run into them. */
+static int place_pinned(const kg_net *net, kg_net_layout *layout) {
+    int pages = 0;
+    for (size_t i = 0; i < net->part_count; i++)
+        if (net->parts[i].pinned) {
+            layout->placements[i] = net->parts[i].pin;
+            if (pages <= net->parts[i].pin.page)
+                pages = net->parts[i].pin.page + 1;
+        }
+    return pages;
+}
+
 static kg_status place_all(const kg_net *net, const kg_sheet *sheet, const kg_net_options *options,
-                           item *items, row *rows, kg_net_layout *layout, kg_error *error) {
-    shelves s = {.sheet = sheet, .gap = options->gap, .rows = rows};
-    for (size_t i = 0; i < net->part_count; i++) {
+                           item *items, size_t count, row *rows, kg_net_layout *layout,
+                           kg_error *error) {
+    shelves s = {.sheet = sheet, .gap = options->gap, .rows = rows, .page_y = sheet->usable.y};
+    if (!sheet->endless)
+        s.page_count = place_pinned(net, layout);
+    for (size_t i = 0; i < count; i++) {
         const item *it = &items[i];
         int page;
         kg_vec2 at;
@@ -256,21 +272,25 @@ static void endless_cut(const item *items, size_t count, kg_vec2 rim, kg_net_lay
 static kg_status place_items(const kg_net *net, const kg_net_options *options, kg_sheet *sheet,
                              item *items, kg_net_layout *layout, kg_error *error) {
     kg_vec2 any = {1e9, 1e9};
+    size_t count = 0;
     for (size_t i = 0; i < net->part_count; i++) {
-        items[i].part = i;
-        if (!item_turn(&net->parts[i], options, sheet->endless ? any : sheet->usable, &items[i]))
+        if (net->parts[i].pinned && !sheet->endless)
+            continue;
+        items[count].part = i;
+        if (!item_turn(&net->parts[i], options, sheet->endless ? any : sheet->usable,
+                       &items[count++]))
             return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
     }
-    qsort(items, net->part_count, sizeof *items, by_height);
+    qsort(items, count, sizeof *items, by_height);
     if (sheet->endless)
-        endless_room(items, net->part_count, options->gap, sheet);
+        endless_room(items, count, options->gap, sheet);
     row *rows = calloc(net->part_count + 1, sizeof *rows);
     if (!rows)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory while placing the parts");
-    kg_status status = place_all(net, sheet, options, items, rows, layout, error);
+    kg_status status = place_all(net, sheet, options, items, count, rows, layout, error);
     free(rows);
     if (status == KG_OK && sheet->endless)
-        endless_cut(items, net->part_count, sheet->origin, layout);
+        endless_cut(items, count, sheet->origin, layout);
     return status;
 }
 
