@@ -27,8 +27,8 @@ typedef struct span {
  * |X_u × X_v| = b + u c is linear in u on each ruling, so its integral over u is b u + c u²/2. */
 static kg_measure measure_at(const span *s, double fraction) {
     const kg_patch *patch = s->patch;
-    kg_cross_point slope, at = kg_region_edge_at(patch, s->loop, s->edge, s->cutter, s->i, fraction,
-                                                 &slope);
+    kg_cross_point slope,
+        at = kg_region_edge_at(patch, s->loop, s->edge, s->cutter, s->i, fraction, &slope);
     kg_ruling r = kg_patch_ruling(patch, at.v);
     kg_vec3 xv = kg_madd(r.dp, at.u, r.dd);
     kg_vec3 dx = kg_add(kg_scale(r.d, slope.u), kg_scale(xv, slope.v));
@@ -73,7 +73,7 @@ kg_measure kg_region_edge_measure(const kg_patch *patch, const kg_region_loop *l
                                   const kg_region_edge *edge, const kg_patch *cutter, double from,
                                   double to) {
     kg_measure m = {0};
-    for (size_t i = 0; i < edge->count; i++) {
+    for (size_t i = (size_t)fmax(floor(from), 0); i < edge->count && (double)i < to; i++) {
         double lo = fmax(from - (double)i, 0), hi = fmin(to - (double)i, 1);
         kg_cross_point p = kg_region_edge_point(loop, edge, i),
                        q = kg_region_edge_point(loop, edge, i + 1);

@@ -43,20 +43,71 @@ kg_cross_point kg_piece_point(const kg_pieces *pieces, kg_edge_ref edge, double 
                              i, f, out_slope);
 }
 
-kg_measure kg_piece_measure(const kg_pieces *pieces, kg_edge_ref edge, double from, double to) {
-    const kg_region_loop *l = kg_piece_loop(pieces, edge);
+/* ---- measures --------------------------------------------------------------------------- */
+
+static kg_measure combined(kg_measure a, double sign, kg_measure b) {
+    return (kg_measure){
+        a.space_length + sign * b.space_length, a.paper_length + sign * b.paper_length,
+        a.space_moment + sign * b.space_moment, a.paper_moment + sign * b.paper_moment};
+}
+
+/* The sums of an edge: as many as it has points, both ends included. */
+static kg_measure *edge_sums(const kg_pieces *pieces, kg_edge_ref edge) {
+    const kg_piece *p = &pieces->items[edge.piece];
+    size_t at = p->first_sum;
+    for (size_t k = 0; k < edge.loop; k++)
+        at += p->region->loops[k].point_count + p->region->loops[k].edge_count;
+    return pieces->sums + at + kg_piece_edge(pieces, edge)->first + edge.edge;
+}
+
+static kg_measure measure_directly(const kg_pieces *pieces, kg_edge_ref edge, double from,
+                                   double to) {
     const kg_region_edge *e = kg_piece_edge(pieces, edge);
-    const kg_patch *patch = kg_piece_patch(pieces, edge.piece);
-    const kg_patch *cutter = kg_piece_cutter(pieces, e);
-    double count = (double)e->count;
-    if (to <= count)
-        return kg_region_edge_measure(patch, l, e, cutter, from, to);
-    if (from >= count)
-        return kg_region_edge_measure(patch, l, e, cutter, from - count, to - count);
-    kg_measure a = kg_region_edge_measure(patch, l, e, cutter, from, count);
-    kg_measure b = kg_region_edge_measure(patch, l, e, cutter, 0, to - count);
-    return (kg_measure){a.space_length + b.space_length, a.paper_length + b.paper_length,
-                        a.space_moment + b.space_moment, a.paper_moment + b.paper_moment};
+    return kg_region_edge_measure(kg_piece_patch(pieces, edge.piece), kg_piece_loop(pieces, edge),
+                                  e, kg_piece_cutter(pieces, e), from, to);
+}
+
+/* From the start of the edge to a position in it. */
+static kg_measure measure_up_to(const kg_pieces *pieces, kg_edge_ref edge, double position) {
+    double whole = floor(position);
+    kg_measure sum = edge_sums(pieces, edge)[(size_t)whole];
+    return position == whole ? sum
+                             : combined(sum, 1, measure_directly(pieces, edge, whole, position));
+}
+
+kg_measure kg_piece_measure(const kg_pieces *pieces, kg_edge_ref edge, double from, double to) {
+    double count = (double)kg_piece_edge(pieces, edge)->count;
+    if (from >= count && to > count) {
+        from -= count;
+        to -= count;
+    }
+    kg_measure m = combined(measure_up_to(pieces, edge, fmin(to, count)), -1,
+                            measure_up_to(pieces, edge, from));
+    return to > count ? combined(m, 1, measure_up_to(pieces, edge, to - count)) : m;
+}
+
+static kg_status measure_edges(kg_pieces *pieces) {
+    size_t n = 0;
+    for (size_t i = 0; i < pieces->count; i++) {
+        pieces->items[i].first_sum = n;
+        for (size_t k = 0; k < pieces->items[i].region->loop_count; k++)
+            n += pieces->items[i].region->loops[k].point_count +
+                 pieces->items[i].region->loops[k].edge_count;
+    }
+    pieces->sums = calloc(n + 1, sizeof *pieces->sums);
+    if (!pieces->sums)
+        return KG_ERR_MEMORY;
+    for (size_t i = 0; i < pieces->count; i++)
+        for (size_t k = 0; k < pieces->items[i].region->loop_count; k++)
+            for (size_t e = 0; e < pieces->items[i].region->loops[k].edge_count; e++) {
+                kg_edge_ref edge = {i, k, e};
+                kg_measure *sums = edge_sums(pieces, edge);
+                size_t count = kg_piece_edge(pieces, edge)->count;
+                for (size_t q = 0; q < count; q++)
+                    sums[q + 1] = combined(
+                        sums[q], 1, measure_directly(pieces, edge, (double)q, (double)q + 1));
+            }
+    return KG_OK;
 }
 
 static int compare_edges(kg_edge_ref a, kg_edge_ref b) {
@@ -144,10 +195,11 @@ kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution, k
         const kg_solved_patch *p = kg_solution_patch(solution, i);
         pieces.first_of_patch[i] = pieces.count;
         for (size_t k = 0; k < p->regions.count && p->valid && !p->construction; k++)
-            pieces.items[pieces.count++] = (kg_piece){p, &model->patches[i], &p->regions.items[k]};
+            pieces.items[pieces.count++] =
+                (kg_piece){p, &model->patches[i], &p->regions.items[k], 0};
     }
     pieces.first_of_patch[patches] = pieces.count;
-    if (list_cuts(&pieces)) {
+    if (list_cuts(&pieces) || measure_edges(&pieces)) {
         kg_pieces_clear(&pieces);
         return KG_ERR_MEMORY;
     }
@@ -159,6 +211,7 @@ void kg_pieces_clear(kg_pieces *pieces) {
     free(pieces->items);
     free(pieces->first_of_patch);
     free(pieces->cuts);
+    free(pieces->sums);
     free(pieces->stretches);
     *pieces = (kg_pieces){0};
 }

@@ -8,6 +8,7 @@ typedef struct kg_piece {
     const kg_solved_patch *patch;
     const kg_model_patch *model;
     const kg_region *region;
+    size_t first_sum; /* in kg_pieces.sums */
 } kg_piece;
 
 /* An edge of a piece. */
@@ -24,7 +25,8 @@ typedef struct kg_stretch {
     bool seam;           /* on an edge of the partner, not inside it */
     size_t mate;         /* seam: the stretch of the partner's edge it is glued to */
     bool mate_reversed;
-    bool single;         /* seems a seam, but nothing runs along all of it: no join */
+    bool single; /* seems a seam, but nothing runs along all of it: no join */
+    kg_measure measure;
     size_t first, count; /* points of the part's loop, set when the part is built */
 } kg_stretch;
 
@@ -37,6 +39,7 @@ typedef struct kg_pieces {
     kg_edge_ref *cuts; /* all cut edges, by source */
     size_t stretch_count, stretch_capacity;
     kg_stretch *stretches; /* by edge, then along it */
+    kg_measure *sums;      /* of every edge up to each of its points: all is measured once */
 } kg_pieces;
 
 kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution,
