@@ -96,6 +96,27 @@ KG_API kg_status kg_mesh_write(const char *path, const kg_mesh *mesh, kg_error *
 KG_API kg_status kg_mesh_write_memory(const kg_mesh *mesh, kg_mesh_format format, char **out_data,
                                       size_t *out_size, kg_error *error) KG_CHECKED;
 
+/* A mesh that moves: every vertex at its position plus the weighted sum of its displacements.
+ * Weights change evenly between keys. */
+typedef struct kg_mesh_motion {
+    size_t target_count;
+    kg_vec3 **displacements; /* per target: one for each vertex */
+    size_t key_count;        /* at least 2 */
+    double *times;           /* s, growing, from 0 */
+    double *weights;         /* target_count for each key */
+} kg_mesh_motion;
+
+/* Arrays of the given sizes, all zero; NULL when memory runs out. Destroying NULL is fine. */
+KG_API kg_mesh_motion *kg_mesh_motion_create(size_t target_count, size_t vertex_count,
+                                             size_t key_count);
+KG_API void kg_mesh_motion_destroy(kg_mesh_motion *motion);
+
+/* Writes glTF or GLB with the motion as an animation of morph targets. Normals are left out, since
+ * they would have to move as well: viewers shade flat. KG_ERR_INPUT for other formats, else as
+ * kg_mesh_write. */
+KG_API kg_status kg_mesh_write_moving(const char *path, const kg_mesh *mesh,
+                                      const kg_mesh_motion *motion, kg_error *error) KG_CHECKED;
+
 /* ---- shape ----------------------------------------------------------------------------- */
 
 /* The box around all vertices that faces use (all vertices when there are no faces); empty for an

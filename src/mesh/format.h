@@ -32,7 +32,9 @@ void kg_ply_write(const kg_mesh *mesh, kg_bytes *out);
 void kg_off_write(const kg_mesh *mesh, kg_bytes *out);
 /* `triangles` are those of kg_mesh_triangulate. */
 void kg_stl_write(const kg_mesh *mesh, const uint32_t *triangles, kg_bytes *out);
-kg_status kg_gltf_write(const kg_mesh *mesh, const uint32_t *triangles, bool binary, kg_bytes *out,
+/* `motion` may be NULL. */
+kg_status kg_gltf_write(const kg_mesh *mesh, const uint32_t *triangles,
+                        const kg_mesh_motion *motion, bool binary, kg_bytes *out,
                         kg_error *error) KG_CHECKED;
 
 #ifdef __cplusplus

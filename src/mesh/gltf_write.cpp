@@ -43,8 +43,9 @@ class writer {
   public:
     tinygltf::Model model;
 
-    writer(const kg_mesh *the_mesh, const uint32_t *the_triangles)
-        : mesh(the_mesh), triangles(the_triangles), local(the_mesh->vertex_count, UINT32_MAX) {
+    writer(const kg_mesh *the_mesh, const uint32_t *the_triangles, const kg_mesh_motion *the_motion)
+        : mesh(the_mesh), triangles(the_triangles), motion(the_motion),
+          local(the_mesh->vertex_count, UINT32_MAX) {
         model.asset.version = "2.0";
         model.asset.generator = std::string("katagami ") + kg_version();
         model.buffers.emplace_back();
@@ -52,11 +53,14 @@ class writer {
         model.defaultScene = 0;
         for (const piece &p : pieces_of(mesh))
             add(p);
+        if (motion)
+            add_animation();
     }
 
   private:
     const kg_mesh *mesh;
     const uint32_t *triangles;
+    const kg_mesh_motion *motion; /* or null */
     std::vector<uint32_t> local; /* index within the piece of each vertex in it */
 
     void add(const piece &p) {
@@ -77,7 +81,7 @@ class writer {
         tinygltf::Primitive primitive;
         primitive.mode = TINYGLTF_MODE_TRIANGLES;
         primitive.attributes["POSITION"] = add_vectors(vertices, mesh->positions, true);
-        if (mesh->normals)
+        if (mesh->normals && !motion)
             primitive.attributes["NORMAL"] = add_vectors(vertices, mesh->normals, false);
         primitive.indices =
             add_accessor(indices.data(), indices.size() * sizeof indices[0], indices.size(),
@@ -86,6 +90,11 @@ class writer {
         primitive.material = add_material(p);
         tinygltf::Mesh made;
         made.name = p.name;
+        for (size_t i = 0; motion && i < motion->target_count; i++) {
+            primitive.targets.push_back(
+                {{"POSITION", add_vectors(vertices, motion->displacements[i], true)}});
+            made.weights.push_back(0);
+        }
         made.primitives.push_back(primitive);
         tinygltf::Node node;
         node.name = p.name;
@@ -93,6 +102,33 @@ class writer {
         model.meshes.push_back(made);
         model.scenes[0].nodes.push_back((int)model.nodes.size());
         model.nodes.push_back(node);
+    }
+
+    /* All nodes move alike, by one sampler. */
+    void add_animation() {
+        std::vector<float> times(motion->times, motion->times + motion->key_count),
+            weights(motion->weights, motion->weights + motion->key_count * motion->target_count);
+        tinygltf::Animation animation;
+        tinygltf::AnimationSampler sampler;
+        animation.name = "motion";
+        sampler.interpolation = "LINEAR";
+        sampler.input = add_accessor(times.data(), times.size() * sizeof times[0], times.size(),
+                                     TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_FLOAT, 0);
+        sampler.output =
+            add_accessor(weights.data(), weights.size() * sizeof weights[0], weights.size(),
+                         TINYGLTF_TYPE_SCALAR, TINYGLTF_COMPONENT_TYPE_FLOAT, 0);
+        tinygltf::Accessor &input = model.accessors[(size_t)sampler.input];
+        input.minValues = {times.front()};
+        input.maxValues = {times.back()};
+        animation.samplers.push_back(sampler);
+        for (size_t n = 0; n < model.nodes.size(); n++) {
+            tinygltf::AnimationChannel channel;
+            channel.sampler = 0;
+            channel.target_node = (int)n;
+            channel.target_path = "weights";
+            animation.channels.push_back(channel);
+        }
+        model.animations.push_back(animation);
     }
 
     /* The first triangle of face f: the faces before it have n - 2 each. */
@@ -157,9 +193,10 @@ class writer {
 
 } // namespace
 
-extern "C" kg_status kg_gltf_write(const kg_mesh *mesh, const uint32_t *triangles, bool binary,
-                                   kg_bytes *out, kg_error *error) try {
-    writer w(mesh, triangles);
+extern "C" kg_status kg_gltf_write(const kg_mesh *mesh, const uint32_t *triangles,
+                                   const kg_mesh_motion *motion, bool binary, kg_bytes *out,
+                                   kg_error *error) try {
+    writer w(mesh, triangles, motion);
     std::ostringstream stream;
     tinygltf::TinyGLTF gltf;
     if (w.model.buffers[0].data.size() > INT32_MAX ||

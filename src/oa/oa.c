@@ -1,0 +1,189 @@
+/* Cards: memory, the staircase rule, editing. */
+#include "katagami/oa.h"
+
+#include <jansson.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Sizes are bounded before they are multiplied: (2048 + 1)² × 4 bytes fits everywhere. */
+static kg_oa *allocate(int width, int depth, int height) {
+    size_t cells = (size_t)width * (size_t)height;
+    kg_oa *oa = calloc(1, sizeof *oa);
+    if (!oa)
+        return NULL;
+    oa->width = width;
+    oa->depth_limit = depth;
+    oa->height = height;
+    oa->margin = 8;
+    oa->scale = 1;
+    oa->depth = calloc(cells, sizeof *oa->depth);
+    oa->window = calloc(cells, 1);
+    oa->omitted = calloc(cells + (size_t)width, 1);
+    oa->title = strdup("");
+    if (oa->depth && oa->window && oa->omitted && oa->title)
+        return oa;
+    kg_oa_destroy(oa);
+    return NULL;
+}
+
+static kg_status check_size(int cells, const char *side, kg_error *error) {
+    if (cells >= 1 && cells <= KG_OA_MAX_SIZE)
+        return KG_OK;
+    return kg_fail(error, KG_ERR_INPUT, "the %s of a card is 1 to %d cells, not %d", side,
+                   KG_OA_MAX_SIZE, cells);
+}
+
+static kg_status check_sizes(int width, int depth, int height, double cell_mm, kg_error *error) {
+    kg_status status = check_size(width, "width", error);
+    if (!status)
+        status = check_size(depth, "depth", error);
+    if (!status)
+        status = check_size(height, "height", error);
+    if (!status && !(cell_mm > 0 && cell_mm <= KG_OA_MAX_CELL))
+        status = kg_fail(error, KG_ERR_INPUT, "a cell is above 0 and at most %g mm, not %g",
+                         KG_OA_MAX_CELL, cell_mm);
+    return status;
+}
+
+kg_status kg_oa_create(int width, int depth, int height, double cell_mm, kg_oa **out_oa,
+                       kg_error *error) {
+    kg_status status = check_sizes(width, depth, height, cell_mm, error);
+    if (status)
+        return status;
+    kg_oa *oa = allocate(width, depth, height);
+    if (!oa)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    oa->cell_mm = cell_mm;
+    *out_oa = oa;
+    return KG_OK;
+}
+
+kg_oa *kg_oa_copy(const kg_oa *oa) {
+    kg_oa *copy = allocate(oa->width, oa->depth_limit, oa->height);
+    if (!copy)
+        return NULL;
+    size_t cells = (size_t)oa->width * (size_t)oa->height;
+    memcpy(copy->depth, oa->depth, cells * sizeof *oa->depth);
+    memcpy(copy->window, oa->window, cells);
+    memcpy(copy->omitted, oa->omitted, cells + (size_t)oa->width);
+    copy->cell_mm = oa->cell_mm;
+    copy->diagonals = oa->diagonals;
+    copy->margin_cells = oa->margin_cells;
+    copy->margin = oa->margin;
+    copy->scale = oa->scale;
+    free(copy->title);
+    copy->title = strdup(oa->title);
+    copy->paper = oa->paper ? strdup(oa->paper) : NULL;
+    copy->json = json_incref(oa->json); /* never changed in place, so it can be shared */
+    if (copy->title && (copy->paper || !oa->paper))
+        return copy;
+    kg_oa_destroy(copy);
+    return NULL;
+}
+
+void kg_oa_destroy(kg_oa *oa) {
+    if (!oa)
+        return;
+    free(oa->depth);
+    free(oa->window);
+    free(oa->omitted);
+    free(oa->title);
+    free(oa->paper);
+    json_decref(oa->json);
+    free(oa);
+}
+
+int kg_oa_top(const kg_oa *oa, int x, int z) {
+    if (z < 1 || z > oa->height)
+        return 0;
+    return kg_oa_depth(oa, x, z - 1) - (z < oa->height ? kg_oa_depth(oa, x, z) : 0);
+}
+
+static kg_status check_level(const kg_oa *oa, int x, int z, kg_error *error) {
+    int depth = kg_oa_depth(oa, x, z);
+    if (depth < 0 || depth > oa->depth_limit)
+        return kg_fail(error, KG_ERR_INPUT, "column %d, level %d: depth %d is not within 0 and %d",
+                       x, z, depth, oa->depth_limit);
+    if (z > 0 && depth > kg_oa_depth(oa, x, z - 1))
+        return kg_fail(error, KG_ERR_INPUT,
+                       "column %d, level %d: depth %d is more than the %d below it; depths must "
+                       "not grow upwards",
+                       x, z, depth, kg_oa_depth(oa, x, z - 1));
+    if (kg_oa_window(oa, x, z) && depth == 0)
+        return kg_fail(error, KG_ERR_INPUT,
+                       "column %d, level %d: a window, but no front to cut it from", x, z);
+    return KG_OK;
+}
+
+kg_status kg_oa_check(const kg_oa *oa, kg_error *error) {
+    kg_status status = check_sizes(oa->width, oa->depth_limit, oa->height, oa->cell_mm, error);
+    if (!status && (oa->margin_cells < 0 || oa->margin_cells > KG_OA_MAX_MARGIN))
+        status = kg_fail(error, KG_ERR_INPUT, "the margin is 0 to %d cells, not %d",
+                         KG_OA_MAX_MARGIN, oa->margin_cells);
+    for (int x = 0; x < oa->width && !status; x++) {
+        for (int z = 0; z < oa->height && !status; z++)
+            status = check_level(oa, x, z, error);
+        for (int z = 0; z <= oa->height && !status; z++)
+            if (kg_oa_omitted(oa, x, z) && kg_oa_top(oa, x, z) == 0)
+                status = kg_fail(error, KG_ERR_INPUT,
+                                 "column %d, height %d: a top is omitted, but there is none", x, z);
+    }
+    return status;
+}
+
+/* ---- editing ---------------------------------------------------------------------------- */
+
+static bool inside(const kg_oa *oa, int x, int y, int z) {
+    return x >= 0 && x < oa->width && y >= 0 && y < oa->depth_limit && z >= 0 && z < oa->height;
+}
+
+/* Takes out windows and omissions whose face is gone. */
+static void clear_faceless(kg_oa *oa, int x) {
+    for (int z = 0; z < oa->height; z++)
+        if (kg_oa_depth(oa, x, z) == 0)
+            oa->window[x * oa->height + z] = 0;
+    for (int z = 0; z <= oa->height; z++)
+        if (kg_oa_top(oa, x, z) == 0)
+            oa->omitted[x * (oa->height + 1) + z] = 0;
+}
+
+bool kg_oa_add(kg_oa *oa, int x, int y, int z) {
+    bool changed = false;
+    if (!inside(oa, x, y, z))
+        return false;
+    int *column = oa->depth + x * oa->height;
+    for (int level = z; level >= 0 && column[level] <= y; level--) {
+        column[level] = y + 1;
+        changed = true;
+    }
+    clear_faceless(oa, x);
+    return changed;
+}
+
+bool kg_oa_remove(kg_oa *oa, int x, int y, int z) {
+    bool changed = false;
+    if (!inside(oa, x, y, z))
+        return false;
+    int *column = oa->depth + x * oa->height;
+    for (int level = z; level < oa->height && column[level] > y; level++) {
+        column[level] = y;
+        changed = true;
+    }
+    clear_faceless(oa, x);
+    return changed;
+}
+
+bool kg_oa_set_window(kg_oa *oa, int x, int z, bool on) {
+    if (!inside(oa, x, 0, z) || kg_oa_depth(oa, x, z) == 0 || kg_oa_window(oa, x, z) == on)
+        return false;
+    oa->window[x * oa->height + z] = on;
+    return true;
+}
+
+bool kg_oa_set_omitted(kg_oa *oa, int x, int z, bool on) {
+    if (x < 0 || x >= oa->width || kg_oa_top(oa, x, z) == 0 || kg_oa_omitted(oa, x, z) == on)
+        return false;
+    oa->omitted[x * (oa->height + 1) + z] = on;
+    return true;
+}

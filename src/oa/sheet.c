@@ -1,0 +1,146 @@
+/*
+ * The lattice path: column x of the sheet, from the top of the back sheet to the front of the base,
+ * is a path of H + D unit cells from (y,z) = (0,H) to (D,0). It goes out at height z while the
+ * column is deeper there than y, else down. Windows and omitted tops place cells anew along their
+ * own diagonals.
+ */
+#include "oa/sheet.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void kg_oa_window_run(const kg_oa *oa, int x, int z, int *out_z0, int *out_z1, int *out_first,
+                      int *out_last) {
+    int z0 = z, z1 = z;
+    while (z0 > 0 && kg_oa_window(oa, x, z0 - 1))
+        z0--;
+    while (z1 + 1 < oa->height && kg_oa_window(oa, x, z1 + 1))
+        z1++;
+    *out_z0 = z0;
+    *out_z1 = z1;
+    *out_first = kg_oa_front_row(oa, x, z1);
+    *out_last = kg_oa_front_row(oa, x, z0);
+}
+
+static void lay_path(const kg_oa *oa, kg_oa_sheet *s, int x) {
+    int y = 0, z = oa->height;
+    for (int row = 0; row < s->rows; row++) {
+        size_t cell = kg_oa_cell(s, x, row);
+        if (z == 0 || kg_oa_depth(oa, x, z - 1) > y) {
+            s->place[cell] = kg_oa_place(y++, true);
+        } else {
+            s->place[cell] = kg_oa_place(y, false);
+            s->marks[cell] = y > 0 ? KG_OA_FRONT : 0;
+            z--;
+        }
+    }
+}
+
+static void drop_top(const kg_oa *oa, kg_oa_sheet *s, int x, int z) {
+    int depth = z < oa->height ? kg_oa_depth(oa, x, z) : 0;
+    for (int i = 0; i < kg_oa_top(oa, x, z); i++) {
+        size_t cell = kg_oa_cell(s, x, oa->height - z + depth + i);
+        s->place[cell] = kg_oa_fallen_place(depth, z, i);
+        s->marks[cell] = KG_OA_FALLEN;
+    }
+}
+
+/* Pushes the run that ends at level z1 back; returns its lowest level. */
+static int push_window(const kg_oa *oa, kg_oa_sheet *s, int x, int z1) {
+    int z0, first, last;
+    kg_oa_window_run(oa, x, z1, &z0, &z1, &first, &last);
+    for (int row = first; row <= last; row++) {
+        size_t cell = kg_oa_cell(s, x, row);
+        s->place[cell] = kg_oa_pushed_place(kg_oa_depth(oa, x, z0), last - row);
+        s->marks[cell] = KG_OA_PUSHED;
+    }
+    return z0;
+}
+
+void kg_oa_lay_out(const kg_oa *oa, kg_oa_sheet *s) {
+    for (int x = 0; x < oa->width; x++) {
+        lay_path(oa, s, x);
+        for (int z = 1; z <= oa->height; z++)
+            if (kg_oa_omitted(oa, x, z))
+                drop_top(oa, s, x, z);
+        for (int z = oa->height - 1; z >= 0; z--)
+            if (kg_oa_window(oa, x, z))
+                z = push_window(oa, s, x, z);
+    }
+}
+
+/* The card with its margins as cells of its own. */
+static kg_oa *with_margins(const kg_oa *oa) {
+    int m = oa->margin_cells;
+    kg_oa *all = calloc(1, sizeof *all);
+    if (!all)
+        return NULL;
+    all->width = oa->width + 2 * m;
+    all->height = oa->height + m;
+    all->depth_limit = oa->depth_limit + m;
+    size_t columns = (size_t)all->width, levels = (size_t)all->height;
+    all->depth = calloc(columns * levels, sizeof *all->depth);
+    all->window = calloc(columns * levels, 1);
+    all->omitted = calloc(columns * (levels + 1), 1);
+    if (!all->depth || !all->window || !all->omitted) {
+        kg_oa_destroy(all);
+        return NULL;
+    }
+    for (int x = 0; x < oa->width; x++) {
+        int from = x * oa->height, to = (x + m) * all->height;
+        memcpy(all->depth + to, oa->depth + from, (size_t)oa->height * sizeof *all->depth);
+        memcpy(all->window + to, oa->window + from, (size_t)oa->height);
+        memcpy(all->omitted + to + x + m, oa->omitted + from + x, (size_t)oa->height + 1);
+    }
+    return all;
+}
+
+static kg_status lay_out(const kg_oa *all, bool diagonals, int margin, kg_oa_sheet **out,
+                         kg_error *error) {
+    kg_oa_sheet *s = calloc(1, sizeof *s);
+    if (!s)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    s->width = all->width;
+    s->height = all->height;
+    s->depth = all->depth_limit;
+    s->rows = s->height + s->depth;
+    s->margin = margin;
+    size_t cells = (size_t)s->width * (size_t)s->rows;
+    s->place = calloc(cells, sizeof *s->place);
+    s->marks = calloc(cells, 1);
+    kg_status status =
+        s->place && s->marks ? KG_OK : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (!status) {
+        kg_oa_lay_out(all, s);
+        if (diagonals)
+            status = kg_oa_bend(all, s, error);
+    }
+    if (status)
+        kg_oa_sheet_destroy(s);
+    else
+        *out = s;
+    return status;
+}
+
+kg_status kg_oa_sheet_create(const kg_oa *oa, kg_oa_sheet **out_sheet, kg_error *error) {
+    if (oa->margin_cells == 0)
+        return lay_out(oa, oa->diagonals, 0, out_sheet, error);
+    kg_oa *all = with_margins(oa);
+    if (!all)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status = lay_out(all, oa->diagonals, oa->margin_cells, out_sheet, error);
+    kg_oa_destroy(all);
+    return status;
+}
+
+void kg_oa_sheet_destroy(kg_oa_sheet *sheet) {
+    if (!sheet)
+        return;
+    free(sheet->place);
+    free(sheet->marks);
+    free(sheet->pyramids);
+    free(sheet->bent);
+    free(sheet->pieces);
+    free(sheet->shapes);
+    free(sheet);
+}

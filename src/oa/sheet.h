@@ -1,0 +1,62 @@
+/* Laying a sheet out: shared by the modules' files. */
+#ifndef KG_OA_SHEET_H
+#define KG_OA_SHEET_H
+
+#include "katagami/oa.h"
+
+/* Row of the front cell at level z of a column without margins. */
+static inline int kg_oa_front_row(const kg_oa *oa, int x, int z) {
+    return oa->height - 1 - (z - kg_oa_depth(oa, x, z));
+}
+
+/* A cell's place as one number, so that neighbours are placed alike when numbers are equal. */
+static inline int32_t kg_oa_place(int y, bool horizontal) {
+    return 2 * y + horizontal;
+}
+/* y of a cell's upper and lower edge. */
+static inline int kg_oa_place_upper(int32_t place) {
+    return place >> 1;
+}
+static inline int kg_oa_place_lower(int32_t place) {
+    return (place >> 1) + (place & 1);
+}
+
+static inline size_t kg_oa_cell(const kg_oa_sheet *sheet, int x, int row) {
+    return (size_t)row * (size_t)sheet->width + (size_t)x;
+}
+
+/* Index of a bent cell, or -1. */
+static inline int32_t kg_oa_bent(const kg_oa_sheet *sheet, int x, int row) {
+    return sheet->bent ? sheet->bent[kg_oa_cell(sheet, x, row)] : -1;
+}
+
+/* The rows [*out_first, *out_last] that the run of windows through level z of column x takes along,
+ * and its ends z0 and z1. */
+void kg_oa_window_run(const kg_oa *oa, int x, int z, int *out_z0, int *out_z1, int *out_first,
+                      int *out_last);
+
+/* Where the k-th cell of such a run, counted from its lower end, is placed. */
+static inline int32_t kg_oa_pushed_place(int depth, int k) {
+    return k < depth ? kg_oa_place(depth - 1 - k, true) : kg_oa_place(0, false);
+}
+
+/* Where the i-th cell of an omitted top at height z, behind which y = `depth`, falls. */
+static inline int32_t kg_oa_fallen_place(int depth, int z, int i) {
+    return i < z ? kg_oa_place(depth, false) : kg_oa_place(depth + i - z, true);
+}
+
+/* Lays out a card without margins and pyramids: `place` and `marks` of the sheet, whose sizes are
+ * set. */
+void kg_oa_lay_out(const kg_oa *oa, kg_oa_sheet *sheet);
+
+/* Finds the pyramids of a card without margins and bends the sheet's cells along them. */
+kg_status kg_oa_bend(const kg_oa *oa, kg_oa_sheet *sheet, kg_error *error) KG_CHECKED;
+
+static inline bool kg_oa_tuple_equal(const kg_oa_tuple *a, const kg_oa_tuple *b) {
+    for (int i = 0; i < 5; i++)
+        if (a->v[i] != b->v[i])
+            return false;
+    return true;
+}
+
+#endif

@@ -1,0 +1,25 @@
+/* What the stability of a card is worked out from. */
+#ifndef KG_OA_STABILITY_H
+#define KG_OA_STABILITY_H
+
+#include "oa/sheet.h"
+
+/* Maps patches and hinges; nothing is said of what is stable yet. */
+kg_status kg_oa_patches_map(const kg_oa_sheet *sheet, kg_oa_stability *out,
+                            kg_error *error) KG_CHECKED;
+
+/* Neighbours of every patch over its hinges: those of patch p are items[starts[p]] …
+ * items[starts[p + 1] - 1], in the order of the hinges. */
+typedef struct kg_oa_neighbours {
+    size_t *starts;
+    int *items;
+    int *hinges; /* index of the hinge to each */
+} kg_oa_neighbours;
+
+/* `extra`: one more neighbourhood, of back and base, that comes first for both (its hinge is -1).
+ */
+kg_status kg_oa_neighbours_create(const kg_oa_stability *s, bool extra, kg_oa_neighbours *out,
+                                  kg_error *error) KG_CHECKED;
+void kg_oa_neighbours_clear(kg_oa_neighbours *n);
+
+#endif
