@@ -20,8 +20,8 @@ struct json_t;
 /* The file format this version writes. */
 #define KG_MODEL_VERSION 1
 
-/* Greatest chord error of crossings and loops, mm: a tenth of what nets are written to. */
-#define KG_MODEL_TOLERANCE 0.001
+/* Greatest chord error of crossings and loops, mm: a fifth of what nets are written to. */
+#define KG_MODEL_TOLERANCE 0.002
 
 typedef enum kg_trim_kind {
     KG_TRIM_BY,     /* single surface: by[0] */

@@ -24,7 +24,7 @@ typedef enum kg_net_kind {
     KG_NET_MARK
 } kg_net_kind;
 
-/* A curve on paper as a dense polyline (its chords are within a tenth of the writing tolerance,
+/* A curve on paper as a dense polyline (its chords are within a fifth of the writing tolerance,
  * divided by the writing scale, of the true curve). corners[i] is 1 where the direction breaks at
  * points[i]; elsewhere the curve is smooth there. A closed line does not repeat its first point. */
 typedef struct kg_net_line {

@@ -72,7 +72,7 @@ static int read_options(const kg_arguments *a, const kg_document *document, kg_n
                        out->perforate[1] < 1e3))
             return kg_command_misuse("net", "--perforate is two lengths in mm, such as 2,0.5");
     }
-    out->landscape = kg_arguments_get(a, "landscape") != NULL;
+    out->landscape = out->landscape || kg_arguments_get(a, "landscape");
     out->separate = kg_arguments_get(a, "separate") != NULL;
     out->mirrored = kg_arguments_get(a, "mirrored") != NULL;
     double wished = *tab_width > 0 ? *tab_width : 5;
@@ -92,47 +92,61 @@ typedef struct outputs {
     const char *net, *guide, *report;
 } outputs;
 
-/* Writes the pages and, where there is to be one, the guide: both or none. */
-static kg_status write_pages(const kg_document *document, const kg_document_net *net,
-                             const kg_net_options *settings, const outputs *out,
-                             kg_net_layout **out_layout, kg_error *error) {
-    char *temporary = NULL;
-    kg_status status = kg_net_layout_create(net->net, settings, NULL, out_layout, error);
+/* Writes text to a new temporary file beside `path`; "-" is left for later. */
+static kg_status write_beside(const char *path, const char *text, char **out_temporary,
+                              kg_error *error) {
+    if (strcmp(path, "-") == 0)
+        return KG_OK;
+    kg_status status = kg_file_temporary(path, out_temporary, error);
+    return status ? status : kg_file_write(*out_temporary, text, strlen(text), error);
+}
+
+/* Writes the pages and what is to be beside them: all or nothing. */
+static kg_status write_files(const kg_document *document, const kg_document_net *net,
+                             const kg_net_options *settings, const outputs *out, kg_error *error) {
+    kg_net_layout *layout = NULL;
+    char *guide = NULL, *report = NULL, *json = NULL;
+    kg_status status = kg_net_layout_create(net->net, settings, NULL, &layout, error);
+    if (!status && out->report)
+        status = kg_net_report(net->net, layout, net->remarks, net->remark_count, 0, &json, error);
+    if (!status && out->report)
+        status = write_beside(out->report, json, &report, error);
     if (!status && out->guide)
-        status = kg_file_temporary(out->guide, &temporary, error);
+        status = kg_file_temporary(out->guide, &guide, error);
     if (!status && out->guide)
-        status = kg_guide_write(document, net, *out_layout, settings, temporary, NULL, error);
+        status = kg_guide_write(document, net, layout, settings, guide, NULL, error);
     if (!status)
-        status = kg_net_draw(net->net, *out_layout, settings, out->net, error);
-    if (!status && out->guide)
-        status = kg_file_commit(temporary, out->guide, error);
-    else
-        kg_file_discard(temporary);
-    free(temporary);
+        status = kg_net_draw(net->net, layout, settings, out->net, error);
+    if (!status && guide)
+        status = kg_file_commit(guide, out->guide, error);
+    if (!status && report)
+        status = kg_file_commit(report, out->report, error);
+    else if (!status && out->report)
+        status = kg_file_write(out->report, json, strlen(json), error);
+    if (status) {
+        kg_file_discard(guide);
+        kg_file_discard(report);
+    }
+    free(guide);
+    free(report);
+    free(json);
+    kg_net_layout_destroy(layout);
     return status;
 }
 
 static kg_status write_net(kg_document *document, const kg_net_options *settings, double tab_width,
                            const outputs *out, kg_error *error) {
     kg_document_net net = {0};
-    kg_net_layout *layout = NULL;
-    char *json = NULL;
-    /* chords a tenth of the tolerance at the written size, tabs of the wished width there */
-    double chord = fmin(KG_NET_CHORD, 0.1 * settings->tolerance / settings->scale);
+    /* chords a fifth of the tolerance at the written size, tabs of the wished width there */
+    double chord = fmin(KG_NET_CHORD, 0.2 * settings->tolerance / settings->scale);
     kg_status status = kg_document_solve(document, chord, error);
     if (!status)
         status = kg_document_unroll(document, tab_width / settings->scale, &net, error);
     if (!status)
-        status = write_pages(document, &net, settings, out, &layout, error);
-    if (!status && out->report)
-        status = kg_net_report(net.net, layout, net.remarks, net.remark_count, 0, &json, error);
-    if (!status && out->report)
-        status = kg_file_write(out->report, json, strlen(json), error);
+        status = write_files(document, &net, settings, out, error);
     for (size_t i = 0; i < net.remark_count && !status; i++)
         fprintf(stderr, "katagami net: warning: patch %lld: %s\n", (long long)net.remarks[i].source,
                 net.remarks[i].message);
-    free(json);
-    kg_net_layout_destroy(layout);
     kg_document_net_clear(&net);
     return status;
 }
@@ -149,6 +163,8 @@ int kg_command_net(int argc, char **argv) {
         return kg_command_misuse("net", "a model and an output (-o) are wanted");
     if (out.guide && strcmp(out.guide, "-") == 0)
         return kg_command_misuse("net", "--guide is the name of a file");
+    if (out.report && strcmp(out.report, "-") == 0 && strcmp(out.net, "-") == 0)
+        return kg_command_misuse("net", "only one of the net and the report fits into -");
     kg_error error;
     kg_document *document;
     kg_net_options settings;

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Shares of the tolerance. The polyline's chords take a tenth, rounding to four decimals and the
+/* Shares of the tolerance. The polyline's chords take a fifth, rounding to four decimals and the
  * sampling of the check a little; a stretch that strays this little from a line is one. */
-#define FIT_SHARE 0.85
-#define CHORD_SHARE 0.1
+#define FIT_SHARE 0.75
+#define CHORD_SHARE 0.2
 #define COLLINEAR_SHARE 1e-3
 
 /* Smooth points nearer to each other than this say little about the curve, and noise in them much

@@ -20,7 +20,7 @@
  * line are corners in any case.
  *
  * tolerance: mm, > 0; the greatest distance of the path from the true curve, of which the polyline
- * is off by at most a tenth (the rest is for the fit). Straight stretches become lines. Works for
+ * is off by at most a fifth (the rest is for the fit). Straight stretches become lines. Works for
  * any finite input, points that repeat included; what has no length becomes nothing. Errors:
  * KG_ERR_MEMORY.
  */
