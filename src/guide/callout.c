@@ -92,7 +92,7 @@ static kg_vec2 step_aside(callouts *c, kg_vec2 centre, kg_vec2 half) {
 static void draw_join(callouts *c, int index) {
     const kg_assembly_join *join = &c->guide->assembly->joins[index];
     int number = c->guide->net->joins[index].number;
-    kg_vec2 half = kg_paper_badge_half(c->guide->paper, number);
+    kg_vec2 half = kg_paper_badge_half(number);
     if (join->count == 0)
         return;
     kg_vec3 best = join->points[join->count / 2];
@@ -124,8 +124,7 @@ static void draw_part(callouts *c, int index) {
     const kg_assembly_part *part = &c->guide->assembly->parts[index];
     int number = c->guide->net->parts[index].number;
     bool new = c->view->roles[index] == KG_ROLE_NEW;
-    kg_vec2 half = kg_paper_badge_half(c->guide->paper, number), middle = kg_v2(0, 0),
-            best = middle;
+    kg_vec2 half = kg_paper_badge_half(number), middle = kg_v2(0, 0), best = middle;
     bool seen[KG_ASSEMBLY_SAMPLES];
     size_t count = 0;
     double nearest = INFINITY;

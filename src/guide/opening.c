@@ -81,7 +81,7 @@ enum { COLUMNS = 5 };
 
 #define CELL_HEIGHT 60.0
 #define CELL_TEXT 11.0
-#define LEAST_DRAWN 9.0 /* mm, smaller parts are drawn larger than the others */
+#define LEAST_DRAWN 16.0 /* mm, smaller parts are drawn larger than the others */
 
 /* A part as it lies on its page, turned like there. */
 typedef struct thumbnail {
@@ -173,7 +173,7 @@ static void add_parts(kg_guide *g) {
                           fmin(room.x / extent.x, room.y / extent.y));
         show_thumbnail(g, i, &t, kg_v2(x + width / 2, paper->y + room.y / 2 + 1), own);
         int number = g->net->parts[i].number;
-        double half = kg_paper_badge_half(paper, number).x, y = paper->y + CELL_HEIGHT - CELL_TEXT;
+        double half = kg_paper_badge_half(number).x, y = paper->y + CELL_HEIGHT - CELL_TEXT;
         kg_paper_part_badge(paper, x + half + 1, y + 2.6, number, 0xffffff);
         kg_words(text, sizeof text, KG_WORD_LIST_ENTRY,
                  g->net->parts[i].name ? g->net->parts[i].name : "",

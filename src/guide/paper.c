@@ -240,8 +240,7 @@ kg_status kg_paper_image(kg_paper *paper, const kg_image *image, double x, doubl
 
 static const kg_text badge_text = {3.2, KG_INK, KG_ALIGN_LEFT, false};
 
-kg_vec2 kg_paper_badge_half(const kg_paper *paper, int number) {
-    (void)paper;
+kg_vec2 kg_paper_badge_half(int number) {
     int digits = number < 10 ? 1 : number < 100 ? 2 : 3;
     return kg_v2(1.5 + 1.0 * digits, 2.4);
 }
@@ -259,7 +258,7 @@ static void badge_number(kg_paper *paper, double x, double y, int number, uint32
 }
 
 void kg_paper_join_badge(kg_paper *paper, double x, double y, int number) {
-    kg_vec2 half = kg_paper_badge_half(paper, number);
+    kg_vec2 half = kg_paper_badge_half(number);
     cairo_new_path(paper->cr);
     cairo_arc(paper->cr, x - half.x + half.y, y, half.y, PI / 2, 3 * PI / 2);
     cairo_arc(paper->cr, x + half.x - half.y, y, half.y, -PI / 2, PI / 2);
@@ -273,7 +272,7 @@ void kg_paper_join_badge(kg_paper *paper, double x, double y, int number) {
 }
 
 void kg_paper_part_badge(kg_paper *paper, double x, double y, int number, uint32_t colour) {
-    kg_vec2 half = kg_paper_badge_half(paper, number);
+    kg_vec2 half = kg_paper_badge_half(number);
     cairo_rectangle(paper->cr, x - half.x, y - half.y, 2 * half.x, 2 * half.y);
     kg_paper_colour(paper, colour);
     cairo_fill_preserve(paper->cr);

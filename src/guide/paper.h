@@ -77,6 +77,6 @@ void kg_paper_colour(kg_paper *paper, uint32_t colour);
  */
 void kg_paper_join_badge(kg_paper *paper, double x, double y, int number);
 void kg_paper_part_badge(kg_paper *paper, double x, double y, int number, uint32_t colour);
-kg_vec2 kg_paper_badge_half(const kg_paper *paper, int number);
+kg_vec2 kg_paper_badge_half(int number);
 
 #endif

@@ -179,8 +179,8 @@ void kg_sight_aim(const kg_sight *sight, kg_camera *camera) {
             trial.yaw = camera->yaw + 2 * PI * y / YAWS;
             kg_camera_axes(&trial, &right, &up, &back);
             double along = kg_dot(move, back);
-            double score = 1.5 * area_seen(sight, back) + joins_seen(sight, back) +
-                           0.35 * kg_dot(before, back) - along * along -
+            double score = 2.5 * area_seen(sight, back) + joins_seen(sight, back) +
+                           0.2 * kg_dot(before, back) - 1.3 * along * along -
                            (trial.pitch < 0 ? 0.2 : 0);
             if (score > best_score + 1e-9) {
                 best_score = score;

@@ -20,6 +20,8 @@ static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, false};
 /* A part is bent to both sides when the wider bend is not this many times wider than the other. */
 #define MUCH_WIDER 3.0
 
+enum { FRAME = 0xccd3d9 }; /* colour */
+
 typedef struct walk {
     kg_guide *guide;
     unsigned char *roles;
@@ -117,7 +119,9 @@ static void describe(walk *w, const kg_guide_step *step, rows *out) {
     const kg_guide *g = w->guide;
     if (step->kind == KG_STEP_PLACE)
         kg_words(add_row(out, 0)->text, KG_SENTENCE, KG_WORD_PLACE_TEXT);
-    else if (!w->shaped[step->part])
+    if (step->kind == KG_STEP_START && step->component > 0)
+        kg_words(add_row(out, 0)->text, KG_SENTENCE, KG_WORD_SUBASSEMBLY);
+    if (!w->shaped[step->part])
         describe_shape(g, step->part, out);
     w->shaped[step->part] = true;
     for (size_t i = 0; i < step->join_count; i++)
@@ -192,8 +196,13 @@ static kg_status add_pictures(walk *w, const kg_guide_step *step, kg_error *erro
     kg_sight_aim(sight, &camera);
     kg_camera_fit(&camera, focus_of(g, &view), size.x / size.y);
     status = kg_guide_picture(g, &view, KG_LOOK_STEP, &camera, at, size, error);
-    if (!status)
+    if (!status) {
         kg_callouts_draw(g, &view, sight, &camera, at, size);
+        cairo_rectangle(paper->cr, at.x, at.y, size.x, size.y);
+        kg_paper_colour(paper, FRAME);
+        cairo_set_line_width(paper->cr, 0.2);
+        cairo_stroke(paper->cr);
+    }
     kg_sight_destroy(sight);
     if (status)
         return status;
@@ -214,6 +223,12 @@ static double row_width(const kg_paper *paper, const row *r) {
     return kg_paper_width(paper) - (r->number > 0 ? ROW_INDENT : 0);
 }
 
+/* With the gap behind it; badges of rows on each other do not touch. */
+static double row_height(const kg_paper *paper, const row *r) {
+    double height = kg_paper_text_height(paper, &plain, row_width(paper, r), r->text) + ROW_GAP;
+    return r->number > 0 ? fmax(height, 2 * kg_paper_badge_half(r->number).y + 0.6) : height;
+}
+
 static kg_status add_step(walk *w, size_t index, rows *text, kg_error *error) {
     kg_paper *paper = w->guide->paper;
     const kg_guide_step *step = &w->guide->order->steps[index];
@@ -223,9 +238,7 @@ static kg_status add_step(walk *w, size_t index, rows *text, kg_error *error) {
     print_heading(w->guide, step, index, title, sizeof title);
     double height = KG_PAPER_HEADING * 1.4 + HEADING_GAP + PICTURE_HEIGHT + 1;
     for (size_t i = 0; i < text->count; i++)
-        height += kg_paper_text_height(paper, &plain, row_width(paper, &text->items[i]),
-                                       text->items[i].text) +
-                  ROW_GAP;
+        height += row_height(paper, &text->items[i]);
     kg_paper_need(paper, fmin(height, kg_paper_bottom(paper) - KG_PAPER_MARGIN));
     kg_paper_write(paper, &heading, title);
     paper->y += HEADING_GAP;
@@ -234,10 +247,11 @@ static kg_status add_step(walk *w, size_t index, rows *text, kg_error *error) {
     for (size_t i = 0; i < text->count; i++) {
         const row *r = &text->items[i];
         double wide = row_width(paper, r), x = KG_PAPER_MARGIN + kg_paper_width(paper) - wide;
-        kg_paper_need(paper, kg_paper_text_height(paper, &plain, wide, r->text));
+        kg_paper_need(paper, row_height(paper, r));
         if (r->number > 0)
             kg_paper_join_badge(paper, KG_PAPER_MARGIN + 4, paper->y + 2.6, r->number);
-        paper->y += kg_paper_text(paper, &plain, x, paper->y, wide, r->text) + ROW_GAP;
+        kg_paper_text(paper, &plain, x, paper->y, wide, r->text);
+        paper->y += row_height(paper, r);
     }
     paper->y += STEP_GAP;
     if (step->kind == KG_STEP_START || step->kind == KG_STEP_ATTACH)
@@ -251,7 +265,7 @@ kg_status kg_guide_steps(kg_guide *g, kg_error *error) {
               .roles = calloc(parts, sizeof *w.roles),
               .standing = calloc(parts, sizeof *w.standing),
               .shaped = calloc(parts, sizeof *w.shaped)};
-    /* a row for each join; shape, folds, advice */
+    /* a row for each join; sub-assembly, shape, folds, advice */
     rows text = {.items = calloc(g->net->join_count + 4, sizeof *text.items)};
     kg_status status = KG_OK;
     if (!w.roles || !w.standing || !w.shaped || !text.items)

@@ -44,6 +44,7 @@ static const char *const words[KG_WORD_COUNT] = {
     [KG_WORD_GLUING] =
         "Score and fold all lines and roll all parts before you glue. Put little glue on a tab, "
         "begin at one end of the join and go on along it.",
+    [KG_WORD_SUBASSEMBLY] = "Put aside what stands: no join leads from here to it.",
     [KG_WORD_START] = "Step %d · Begin with %s",
     [KG_WORD_OWN] = "Step %d · Close %s to a ring",
     [KG_WORD_ATTACH] = "Step %d · Attach %s",

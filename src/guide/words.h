@@ -28,6 +28,7 @@ typedef enum kg_word {
     KG_WORD_RULINGS,
     KG_WORD_PICTURES,
     KG_WORD_GLUING,
+    KG_WORD_SUBASSEMBLY,
     KG_WORD_START,
     KG_WORD_OWN,
     KG_WORD_ATTACH,
