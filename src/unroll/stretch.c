@@ -369,5 +369,9 @@ kg_status kg_pieces_find_stretches(kg_pieces *pieces) {
             }
     if (!status)
         mate_stretches(pieces);
+    for (size_t i = 0; i < pieces->stretch_count && !status; i++) {
+        kg_stretch *s = &pieces->stretches[i];
+        s->measure = kg_piece_measure(pieces, s->edge, s->from, s->to);
+    }
     return status;
 }

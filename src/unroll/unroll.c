@@ -10,12 +10,21 @@
 
 /* ---- parts ------------------------------------------------------------------------------ */
 
+/* The measure of an edge; most are one stretch, which has been measured. */
+static kg_measure measure_edge(const kg_pieces *all, kg_edge_ref edge) {
+    double count = (double)kg_piece_edge(all, edge)->count;
+    size_t first, end;
+    kg_piece_stretches(all, edge, &first, &end);
+    if (end == first + 1 && all->stretches[first].from == 0 && all->stretches[first].to == count)
+        return all->stretches[first].measure;
+    return kg_piece_measure(all, edge, 0, count);
+}
+
 static void measure_part(const kg_pieces *all, size_t piece, kg_net_part *part) {
     const kg_region *region = all->items[piece].region;
     for (size_t k = 0; k < region->loop_count; k++)
         for (size_t e = 0; e < region->loops[k].edge_count; e++) {
-            kg_measure m = kg_piece_measure(all, (kg_edge_ref){piece, k, e}, 0,
-                                            (double)region->loops[k].edges[e].count);
+            kg_measure m = measure_edge(all, (kg_edge_ref){piece, k, e});
             part->surface += m.space_moment;
             part->area += m.paper_moment;
             part->perimeter += m.paper_length;
@@ -43,13 +52,13 @@ static kg_status add_part(kg_pieces *all, size_t piece, kg_net *net, kg_error *e
 
 /* ---- joins ------------------------------------------------------------------------------ */
 
-static kg_net_side outline_side(const kg_pieces *all, const kg_stretch *s) {
+static kg_net_side outline_side(const kg_stretch *s) {
     return (kg_net_side){.part = (int)s->edge.piece,
                          .loop = (int)s->edge.loop,
                          .first = s->first,
                          .count = s->count,
                          .line = -1,
-                         .length = kg_piece_measure(all, s->edge, s->from, s->to).paper_length};
+                         .length = s->measure.paper_length};
 }
 
 /* Length on paper of a stretch's curve drawn on its partner. */
@@ -109,7 +118,7 @@ static kg_status join_edge(const kg_pieces *all, const kg_stretch *s, kg_net_joi
                            double **out_bends) {
     const kg_stretch *mate = &all->stretches[s->mate];
     join->kind = KG_JOIN_SEAM;
-    join->sides[1] = outline_side(all, mate);
+    join->sides[1] = outline_side(mate);
     join->sides[1].reversed = s->mate_reversed ^ kg_piece_patch(all, s->edge.piece)->flip ^
                               kg_piece_patch(all, mate->edge.piece)->flip;
     join->fold[1] = kg_stretch_fold(all, s->mate);
@@ -152,7 +161,7 @@ static kg_status add_join(const kg_model *model, const kg_pieces *all, size_t in
     if (s->single || (s->mate < index && all->stretches[s->mate].mate == index))
         return KG_OK;
     kg_net_join join = {
-        .sides = {outline_side(all, s), {0}},
+        .sides = {outline_side(s), {0}},
         .sources = {all->items[s->edge.piece].patch->id, all->items[s->partner.piece].patch->id},
         .fold = {kg_stretch_fold(all, index), 0}};
     apply_wish(model, &join);
