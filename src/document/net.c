@@ -1,5 +1,7 @@
 /* Nets of documents: unrolled, with tabs and all remarks. */
 #include "document/document.h"
+#include "document/net_settings.h"
+#include "document/pin.h"
 #include "katagami/unroll.h"
 #include "net/tab.h"
 
@@ -8,18 +10,10 @@
 
 kg_status kg_document_net_options(const kg_document *d, kg_net_options *out_options,
                                   double *out_tab_width, kg_error *error) {
-    const kg_model_net *net = &d->model->net;
-    kg_net_options options = kg_net_options_default();
-    if (net->paper) {
-        kg_status status = kg_net_paper_parse(net->paper, &options.paper, error);
-        if (status)
-            return status;
-    }
-    options.margin = net->margin;
-    options.scale = net->scale;
-    *out_options = options;
-    *out_tab_width = net->tab_width;
-    return KG_OK;
+    kg_status status = kg_net_settings_read(&d->model->net, out_options, error);
+    if (!status)
+        *out_tab_width = d->model->net.tab_width;
+    return status;
 }
 
 static kg_status add_remark(kg_document_net *net, int64_t source, const char *code,
@@ -80,6 +74,7 @@ kg_status kg_document_unroll(const kg_document *d, double tab_width, kg_document
         kg_document_net_clear(&net);
         return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
     }
+    kg_pin_parts(d->model, net.net);
     *out_net = net;
     return KG_OK;
 }

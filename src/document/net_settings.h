@@ -1,0 +1,27 @@
+/*
+ * How the net is drawn, as the model's "net" object says beside paper, margin, scale and tab_width:
+ *
+ *     "landscape": bool, "labels": "none|inside|outside", "preset": "print|laser|…",
+ *     "nest": bool (true), "grain": bool, "gap": mm
+ */
+#ifndef KG_DOCUMENT_NET_SETTINGS_H
+#define KG_DOCUMENT_NET_SETTINGS_H
+
+#include "katagami/model.h"
+#include "katagami/net.h"
+
+/* Net options as the model asks for them. KG_ERR_INPUT: an unknown word or a wrong kind of value.
+ */
+kg_status kg_net_settings_read(const kg_model_net *net, kg_net_options *out_options,
+                               kg_error *error) KG_CHECKED;
+
+/* Sets a key of the "net" object, or removes it (`value` NULL); takes over `value`, also on
+ * failure. KG_ERR_MEMORY. */
+kg_status kg_net_settings_set(kg_model_net *net, const char *key, struct json_t *value,
+                              kg_error *error) KG_CHECKED;
+
+/* "none", "inside", "outside"; NULL behind the last. And the same of presets. */
+extern const char *const kg_net_label_names[];
+extern const char *const kg_net_preset_names[];
+
+#endif
