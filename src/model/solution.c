@@ -1,16 +1,13 @@
 #include "katagami/model.h"
 
-#include "base/array.h"
 #include "model/border.h"
+#include "model/issues.h"
 #include "model/lookup.h"
 #include "model/pairs.h"
 #include "model/signature.h"
 #include "trim/region.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* Longest chain of patches that need each other's trimmed regions: each costs stack. */
 enum { MAX_CHAIN = 200 };
@@ -33,26 +30,10 @@ struct kg_solution {
     kg_pairs pairs;
     kg_solution *previous; /* only while solving */
     int depth;             /* patches that wait for the trimmed regions of the next */
-    struct {
-        kg_issue *items;
-        size_t count, capacity;
-    } issues;
+    kg_issues issues;
 };
 
-/* ---- issues ----------------------------------------------------------------------------- */
-
-static kg_status add_issue(kg_solution *s, kg_severity severity, int64_t patch, const char *code,
-                           const char *format, ...) KG_PRINTF(5, 6);
-
-static kg_status add_issue(kg_solution *s, kg_severity severity, int64_t patch, const char *code,
-                           const char *format, ...) {
-    kg_issue issue = {.severity = severity, .patch = patch, .code = code};
-    va_list args;
-    va_start(args, format);
-    vsnprintf(issue.message, sizeof issue.message, format, args);
-    va_end(args);
-    return kg_push(&s->issues, issue) ? KG_OK : KG_ERR_MEMORY;
-}
+/* ---- faults ----------------------------------------------------------------------------- */
 
 /* Turns a failed call into an issue; only running out of memory goes on as a failure. */
 static kg_status fault(kg_solution *s, kg_solved_patch *p, const char *code, kg_status status,
@@ -60,7 +41,7 @@ static kg_status fault(kg_solution *s, kg_solved_patch *p, const char *code, kg_
     if (!status || status == KG_ERR_MEMORY)
         return status;
     p->valid = false;
-    return add_issue(s, KG_FAULT, p->id, code, "%s", error->message);
+    return kg_issues_add(&s->issues, KG_FAULT, p->id, code, "%s", error->message);
 }
 
 /* ---- looking up ------------------------------------------------------------------------- */
@@ -118,27 +99,6 @@ kg_patch_finder kg_solution_finder(const kg_solution *solution) {
 
 /* ---- preparing patches ------------------------------------------------------------------ */
 
-static kg_status warn_patch(kg_solution *s, const kg_solved_patch *p) {
-    const kg_patch *k = &p->patch;
-    kg_status status = KG_OK;
-    if (k->clamped) {
-        int side = k->extent[0] != k->wished_extent[0] ? 0 : 1;
-        status = add_issue(s, KG_WARNING, p->id, "extent-clamped",
-                           "its extent %g is cut back to %.4g: beyond %.4g, at v = %.3g, the paper "
-                           "would fold back on itself; narrow the extent, or straighten the "
-                           "geodesic there",
-                           k->wished_extent[side], k->extent[side], k->regression[side],
-                           k->regression_v[side]);
-    }
-    double flattest = fmin(k->theta[0], acos(-1.0) - k->theta[1]);
-    if (!status && flattest < KG_FLAT_RULING)
-        status = add_issue(s, KG_WARNING, p->id, "flat-ruling",
-                           "at v = %.3g its rulings run at %.2g degrees to the geodesic; bend the "
-                           "geodesic more evenly",
-                           k->flattest_v, flattest * 180 / acos(-1.0));
-    return status;
-}
-
 static kg_status prepare(kg_solution *s, size_t i) {
     const kg_model_patch *m = &s->model->patches[i];
     kg_solved_patch *p = &s->patches[i];
@@ -156,7 +116,7 @@ static kg_status prepare(kg_solution *s, size_t i) {
         if (status)
             return fault(s, p, "bad-patch", status, &error);
     }
-    return warn_patch(s, p);
+    return kg_issues_of_patch(&s->issues, p);
 }
 
 /* ---- trimming --------------------------------------------------------------------------- */
@@ -220,36 +180,6 @@ static kg_status apply_op(kg_solution *s, size_t i, size_t number, const kg_trim
                      : kg_trim_inside(trim, in, cuts, op->by_count, op->keep, op->keep_count, out,
                                       error);
     free(cuts);
-    return status;
-}
-
-static kg_status warn_notes(kg_solution *s, int64_t patch, const kg_trim_notes *notes) {
-    kg_status status = KG_OK;
-    for (size_t i = 0; i < notes->count && !status; i++) {
-        const kg_trim_note *n = &notes->items[i];
-        long long by = n->source;
-        switch (n->kind) {
-        case KG_NOTE_PROLONGED:
-            status = add_issue(s, KG_WARNING, patch, "cut-prolonged",
-                               "the cut by patch %lld ends inside it at (%.4g, %.4g, %.4g) and is "
-                               "prolonged by %.3g mm; widen the extent of one of them",
-                               by, n->place.x, n->place.y, n->place.z, n->length);
-            break;
-        case KG_NOTE_JOINED:
-            status = add_issue(s, KG_WARNING, patch, "cuts-joined",
-                               "the cut by patch %lld ends at (%.4g, %.4g, %.4g) without meeting "
-                               "another and is joined to the nearest over %.3g mm; let the cutters "
-                               "cross",
-                               by, n->place.x, n->place.y, n->place.z, n->length);
-            break;
-        case KG_NOTE_OUTSIDE:
-            status = add_issue(s, KG_WARNING, patch, "cut-outside",
-                               "the cut by patch %lld lies wholly outside what is left of it and "
-                               "changes nothing; remove that trim or put it first",
-                               by);
-            break;
-        }
-    }
     return status;
 }
 
@@ -418,49 +348,12 @@ static kg_status solve_patch(kg_solution *s, size_t i) {
         status = fault(s, p, "bad-trim", trim_patch(s, i, &error), &error);
     s->depth--;
     if (!status)
-        status = warn_notes(s, p->id, &p->notes);
+        status = kg_issues_of_notes(&s->issues, p);
     s->states[i] = DONE;
     return status;
 }
 
 /* ---- the whole -------------------------------------------------------------------------- */
-
-typedef struct issue_key {
-    const kg_solution *solution;
-    size_t place, number;
-} issue_key;
-
-static int compare_issues(const void *a, const void *b) {
-    const issue_key *x = a, *y = b;
-    const kg_issue *items = x->solution->issues.items;
-    if (items[x->number].severity != items[y->number].severity)
-        return items[x->number].severity == KG_FAULT ? -1 : 1;
-    if (x->place != y->place)
-        return x->place < y->place ? -1 : 1;
-    return x->number < y->number ? -1 : 1;
-}
-
-/* Faults first, then in the order of the model; a patch's own order stays. */
-static kg_status sort_issues(kg_solution *s) {
-    size_t n = s->issues.count;
-    issue_key *keys = calloc(n + 1, sizeof *keys);
-    kg_issue *sorted = calloc(n + 1, sizeof *sorted);
-    if (!keys || !sorted) {
-        free(keys);
-        free(sorted);
-        return KG_ERR_MEMORY;
-    }
-    for (size_t i = 0; i < n; i++)
-        keys[i] = (issue_key){s, index_of(s, s->issues.items[i].patch), i};
-    qsort(keys, n, sizeof *keys, compare_issues);
-    for (size_t i = 0; i < n; i++)
-        sorted[i] = s->issues.items[keys[i].number];
-    free(keys);
-    free(s->issues.items);
-    s->issues.items = sorted;
-    s->issues.capacity = n + 1;
-    return KG_OK;
-}
 
 /* Do the crossings of the previous solution hold in this one? */
 static bool pair_holds(const void *user, const kg_pair *pair) {
@@ -495,7 +388,7 @@ kg_status kg_solution_create(const kg_model *model, double tolerance, kg_solutio
     for (size_t i = 0; i < n && !status; i++)
         status = solve_patch(s, i);
     if (!status)
-        status = sort_issues(s);
+        status = kg_issues_sort(&s->issues, &s->places);
     kg_solution_destroy(previous);
     if (status) {
         kg_solution_destroy(s);
