@@ -8,7 +8,7 @@
 /* Side 3 t + k of triangle t runs from its corner k to the next; mate: the same side seen from the
  * neighbour. */
 typedef struct mesh {
-    const kg_vec2 *points;
+    const kg_polygon *polygon;
     uint32_t *corners, *mates;
     size_t triangle_count;
 } mesh;
@@ -53,16 +53,19 @@ static bool find_mates(mesh *m, size_t point_count) {
     return ok;
 }
 
-/* Is the edge between triangles (a, b, c) and (b, a, d) above the hull of (x, y, y²), and may it be
- * flipped to (c, d)? */
-static bool wants_flip(kg_vec2 a, kg_vec2 b, kg_vec2 c, kg_vec2 d) {
-    kg_vec2 ad = kg_sub2(a, d), bd = kg_sub2(b, d), cd = kg_sub2(c, d);
+/* Is the edge between triangles (a, b, c) and (b, a, d) above the hull, and may it be flipped to
+ * (c, d)? */
+static bool wants_flip(const kg_polygon *p, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+    kg_vec2 ad = kg_sub2(p->paper[a], p->paper[d]), bd = kg_sub2(p->paper[b], p->paper[d]),
+            cd = kg_sub2(p->paper[c], p->paper[d]);
     double x = kg_cross2(bd, cd), y = kg_cross2(cd, ad), z = kg_cross2(ad, bd);
     /* convex: c and d see each other across the edge */
     if (!(x > 0 && y > 0))
         return false;
-    double lift = ad.y * ad.y * x + bd.y * bd.y * y + cd.y * cd.y * z;
-    double size = ad.y * ad.y * x + bd.y * bd.y * y + cd.y * cd.y * fabs(z);
+    double ha = p->points[a].y - p->points[d].y, hb = p->points[b].y - p->points[d].y,
+           hc = p->points[c].y - p->points[d].y;
+    double lift = ha * ha * x + hb * hb * y + hc * hc * z;
+    double size = ha * ha * x + hb * hb * y + hc * hc * fabs(z);
     /* ties stay: flips must come to an end */
     return lift > 1e-12 * size;
 }
@@ -89,9 +92,8 @@ static bool flip_if_wanted(mesh *m, uint32_t s) {
     uint32_t t = m->mates[s];
     if (t == NO_MATE)
         return false;
-    const kg_vec2 *p = m->points;
-    if (!wants_flip(p[m->corners[s]], p[m->corners[t]], p[m->corners[next_side(next_side(s))]],
-                    p[m->corners[next_side(next_side(t))]]))
+    if (!wants_flip(m->polygon, m->corners[s], m->corners[t], m->corners[next_side(next_side(s))],
+                    m->corners[next_side(next_side(t))]))
         return false;
     flip(m, s);
     return true;
@@ -99,7 +101,7 @@ static bool flip_if_wanted(mesh *m, uint32_t s) {
 
 kg_status kg_ruling_flips(const kg_polygon *polygon, uint32_t *triangles, size_t triangle_count) {
     size_t sides = 3 * triangle_count;
-    mesh m = {polygon->points, triangles, calloc(sides + 1, sizeof *m.mates), triangle_count};
+    mesh m = {polygon, triangles, calloc(sides + 1, sizeof *m.mates), triangle_count};
     if (!m.mates || !find_mates(&m, polygon->count)) {
         free(m.mates);
         return KG_ERR_MEMORY;

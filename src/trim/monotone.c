@@ -25,7 +25,7 @@ typedef struct interval {
 } interval;
 
 typedef struct sweep {
-    const kg_vec2 *points;
+    const kg_vec2 *points, *paper;
     corner *corners;
     int corner_count;
     struct {
@@ -53,6 +53,7 @@ static bool is_above(const kg_vec2 *points, int i, int j) {
     return compare_points(&p, &q) > 0;
 }
 
+/* Twice the area of a triangle on paper. */
 static double turn(const kg_vec2 *points, int a, int b, int c) {
     return kg_cross2(kg_sub2(points[b], points[a]), kg_sub2(points[c], points[a]));
 }
@@ -75,7 +76,7 @@ static int add_diagonal(sweep *s, int a, int b) {
 enum { MAX_TOUCHING = 32 };
 
 static double direction(const sweep *s, int from, int to) {
-    kg_vec2 d = kg_sub2(s->points[to], s->points[from]);
+    kg_vec2 d = kg_sub2(s->paper[to], s->paper[from]);
     return atan2(d.y, d.x);
 }
 
@@ -162,7 +163,7 @@ static kg_status begin_at(sweep *s, int v) {
     const corner *c = &s->corners[v];
     int left = c->prev, right = c->next;
     interval fresh = {left, right, v, false};
-    if (turn(s->points, s->corners[left].point, c->point, s->corners[right].point) <= 0) {
+    if (turn(s->paper, s->corners[left].point, c->point, s->corners[right].point) <= 0) {
         int i = interval_around(s, s->points[c->point]);
         if (i == NONE)
             return KG_ERR_INPUT;
@@ -269,7 +270,7 @@ static bool triangulate_piece(sweep *s, int start, int *stack, writer *w) {
         }
         while (top > 1 && ok) {
             int a = stack[top - 2], b = stack[top - 1];
-            double area = turn(s->points, c[a].point, c[b].point, c[v].point);
+            double area = turn(s->paper, c[a].point, c[b].point, c[v].point);
             if (is_right ? area <= 0 : area >= 0)
                 break;
             ok = is_right ? write_triangle(w, s, a, b, v) : write_triangle(w, s, a, v, b);
@@ -303,7 +304,9 @@ kg_status kg_monotone_triangulate(const kg_polygon *polygon, uint32_t *out, size
     if (n > INT32_MAX / 8)
         return KG_ERR_MEMORY;
     /* every event adds two diagonals at most */
-    sweep s = {.points = polygon->points, .corners = calloc(5 * n + 1, sizeof *s.corners)};
+    sweep s = {.points = polygon->points,
+               .paper = polygon->paper,
+               .corners = calloc(5 * n + 1, sizeof *s.corners)};
     ordered *order = calloc(n + 1, sizeof *order);
     int *stack = calloc(5 * n + 1, sizeof *stack);
     kg_status status = s.corners && order && stack ? KG_OK : KG_ERR_MEMORY;

@@ -13,12 +13,13 @@
 #include <stdlib.h>
 
 static void fill_vertices(const kg_patch *patch, const kg_region *region, kg_tessellation *t,
-                          kg_vec2 *points, size_t *ends) {
+                          kg_vec2 *points, kg_vec2 *paper, size_t *ends) {
     for (size_t i = 0; i < region->loop_count; i++) {
         const kg_region_loop *loop = &region->loops[i];
         for (size_t k = 0; k < loop->point_count; k++) {
             const kg_cross_point *q = &loop->points[k];
             points[t->vertex_count] = kg_plane(patch, q->u, q->v);
+            paper[t->vertex_count] = kg_patch_unroll(patch, q->u, q->v);
             t->vertices[t->vertex_count++] =
                 (kg_vertex){q->x, kg_patch_normal(patch, q->v), q->u, q->v};
         }
@@ -46,12 +47,13 @@ kg_status kg_region_tessellate(const kg_patch *patch, const kg_region *region,
     kg_tessellation out = {0};
     out.vertices = calloc(polygon.count, sizeof *out.vertices);
     out.triangles = calloc(kg_triangle_limit(&polygon), 3 * sizeof *out.triangles);
-    kg_vec2 *points = calloc(polygon.count, sizeof *points);
+    kg_vec2 *points = calloc(polygon.count, 2 * sizeof *points);
     size_t *ends = calloc(region->loop_count, sizeof *ends);
     kg_status status = out.vertices && out.triangles && points && ends ? KG_OK : KG_ERR_MEMORY;
     if (!status) {
-        fill_vertices(patch, region, &out, points, ends);
+        fill_vertices(patch, region, &out, points, points + polygon.count, ends);
         polygon.points = points;
+        polygon.paper = points + polygon.count;
         polygon.ends = ends;
         status = kg_monotone_triangulate(&polygon, out.triangles, &out.triangle_count);
     }

@@ -4,9 +4,11 @@
 
 #include "katagami/base.h"
 
-/* Loops one after the other; the outer one counter-clockwise, holes clockwise. */
+/* A region of a patch: loops one after the other, the outer one counter-clockwise, holes
+ * clockwise. Rulings, the lines y = const of the plane, are straight on paper too. */
 typedef struct kg_polygon {
-    const kg_vec2 *points;
+    const kg_vec2 *points; /* in the plane (u, v L), where the sweep goes */
+    const kg_vec2 *paper;  /* unrolled, where triangles must not turn over */
     size_t count;
     const size_t *ends; /* per loop: index after its last point */
     size_t loop_count;
