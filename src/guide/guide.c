@@ -1,8 +1,10 @@
 #include "guide/guide.h"
 
 #include "base/file.h"
+#include "net/text.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Of the pictures: fine lines stay smooth at this, and files small. */
 #define DOTS_PER_MM (170 / 25.4)
@@ -13,10 +15,33 @@
 #define LEAST_WIDTH 180
 #define LEAST_HEIGHT 250
 
+/* Copies a name, cut off where it would fill more than about a line. */
+static void shorten(char *out, size_t size, const char *name) {
+    static const char ellipsis[] = "…";
+    const double most = 24; /* full-width characters */
+    size_t used = 0;
+    for (const char *next = name; *next; used = (size_t)(next - name)) {
+        kg_text_character(&next);
+        size_t length = (size_t)(next - name);
+        bool fits = length + sizeof ellipsis < size;
+        if (fits) {
+            memcpy(out + used, name + used, length - used);
+            out[length] = 0;
+        }
+        if (!fits || kg_text_width(out) > most) {
+            memcpy(out + used, ellipsis, sizeof ellipsis);
+            return;
+        }
+    }
+    out[used] = 0;
+}
+
 char *kg_guide_part_name(const kg_guide *guide, int part, char *out, size_t size) {
     const kg_net_part *p = &guide->net->parts[part];
-    return p->name && p->name[0] ? kg_words(out, size, KG_WORD_PART_NAMED, p->number, p->name)
-                                 : kg_words(out, size, KG_WORD_PART, p->number);
+    char name[KG_SENTENCE / 4];
+    shorten(name, sizeof name, p->name ? p->name : "");
+    return name[0] ? kg_words(out, size, KG_WORD_PART_NAMED, p->number, name)
+                   : kg_words(out, size, KG_WORD_PART, p->number);
 }
 
 kg_status kg_guide_picture(kg_guide *guide, const kg_view_of *view, kg_stage_look look,

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const kg_text title_text = {KG_PAPER_TITLE, KG_INK, KG_ALIGN_LEFT, false};
-static const kg_text heading = {KG_PAPER_HEADING, KG_INK, KG_ALIGN_LEFT, false};
-static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, false};
-static const kg_text faint = {KG_PAPER_TEXT, KG_FAINT_INK, KG_ALIGN_LEFT, false};
-static const kg_text entry = {KG_PAPER_SMALL, KG_INK, KG_ALIGN_LEFT, false};
+static const kg_text title_text = {KG_PAPER_TITLE, KG_INK, KG_ALIGN_LEFT, 3};
+static const kg_text heading = {KG_PAPER_HEADING, KG_INK, KG_ALIGN_LEFT, 0};
+static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
+static const kg_text faint = {KG_PAPER_TEXT, KG_FAINT_INK, KG_ALIGN_LEFT, 0};
+static const kg_text entry = {KG_PAPER_SMALL, KG_INK, KG_ALIGN_LEFT, 2};
 
 /* ---- cover ------------------------------------------------------------------------------ */
 
@@ -175,10 +175,12 @@ static void add_parts(kg_guide *g) {
         int number = g->net->parts[i].number;
         double half = kg_paper_badge_half(number).x, y = paper->y + CELL_HEIGHT - CELL_TEXT;
         kg_paper_part_badge(paper, x + half + 1, y + 2.6, number, 0xffffff);
-        kg_words(text, sizeof text, KG_WORD_LIST_ENTRY,
-                 g->net->parts[i].name ? g->net->parts[i].name : "",
-                 g->layout->placements[i].page + 1);
-        kg_paper_text(paper, &entry, x + 2 * half + 2.5, y, width - 2 * half - 4, text);
+        double left = x + 2 * half + 2.5, wide = width - 2 * half - 4;
+        const char *name = g->net->parts[i].name;
+        if (name && name[0])
+            y += kg_paper_text(paper, &entry, left, y, wide, name);
+        kg_words(text, sizeof text, KG_WORD_PAGE, g->layout->placements[i].page + 1);
+        kg_paper_text(paper, &entry, left, y, wide, text);
         if (column == COLUMNS - 1 || i + 1 == g->net->part_count)
             paper->y += CELL_HEIGHT;
     }

@@ -57,8 +57,9 @@ static PangoLayout *layout_new(const kg_paper *paper, const kg_text *style, doub
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
     if (width > 0)
         pango_layout_set_width(layout, (int)(width / GRID * PANGO_SCALE));
-    if (style->one_line) {
-        pango_layout_set_single_paragraph_mode(layout, TRUE);
+    pango_layout_set_single_paragraph_mode(layout, TRUE);
+    if (style->lines > 0) {
+        pango_layout_set_height(layout, -style->lines);
         pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
     }
     return layout;
@@ -162,7 +163,7 @@ static void show_page(kg_paper *paper) {
     char number[32];
     snprintf(number, sizeof number, "%d", paper->page);
     double y = paper->size.y - KG_PAPER_MARGIN + 2, width = kg_paper_width(paper);
-    kg_text style = {KG_PAPER_SMALL, KG_FAINT_INK, KG_ALIGN_LEFT, true};
+    kg_text style = {KG_PAPER_SMALL, KG_FAINT_INK, KG_ALIGN_LEFT, 1};
     kg_paper_text(paper, &style, KG_PAPER_MARGIN, y, width - 20, paper->footer);
     style.align = KG_ALIGN_CENTRE;
     kg_paper_text(paper, &style, KG_PAPER_MARGIN + width - 20, y, 20, number);
@@ -238,7 +239,7 @@ kg_status kg_paper_image(kg_paper *paper, const kg_image *image, double x, doubl
     return KG_OK;
 }
 
-static const kg_text badge_text = {3.2, KG_INK, KG_ALIGN_LEFT, false};
+static const kg_text badge_text = {3.2, KG_INK, KG_ALIGN_LEFT, 0};
 
 kg_vec2 kg_paper_badge_half(int number) {
     int digits = number < 10 ? 1 : number < 100 ? 2 : 3;

@@ -53,7 +53,7 @@ typedef struct kg_text {
     double size; /* mm */
     uint32_t colour;
     kg_align align;
-    bool one_line; /* cut off with an ellipsis instead of wrapped */
+    int lines; /* cut off with an ellipsis behind so many; 0: wrapped into any number */
 } kg_text;
 
 /* Height of `text` wrapped to `width`, mm. */

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const kg_text heading = {KG_PAPER_HEADING, KG_INK, KG_ALIGN_LEFT, false};
-static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, false};
+static const kg_text heading = {KG_PAPER_HEADING, KG_INK, KG_ALIGN_LEFT, 1};
+static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
 
 /* Sizes of pictures, mm: how the part is glued, and what stands afterwards. */
 #define PICTURE_HEIGHT 83.0

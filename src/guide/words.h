@@ -16,7 +16,7 @@ typedef enum kg_word {
     KG_WORD_PARTS,
     KG_WORD_PART,
     KG_WORD_PART_NAMED,
-    KG_WORD_LIST_ENTRY,
+    KG_WORD_PAGE,
     KG_WORD_LEGEND,
     KG_WORD_AND,
     KG_WORD_CUT,
