@@ -34,6 +34,16 @@ KG_API kg_status kg_document_from_model(kg_model *model, const char *path,
                                         kg_document **out_document, kg_error *error) KG_CHECKED;
 KG_API void kg_document_destroy(kg_document *document);
 
+/* Writes the document's file, whole or not at all; from then on it lies there. A reference named
+ * relative to the old place is named relative to the new one. */
+KG_API kg_status kg_document_save(kg_document *document, const char *path,
+                                  kg_error *error) KG_CHECKED;
+/* Where its file lies; NULL: nowhere yet. */
+KG_API const char *kg_document_path(const kg_document *document);
+/* How a model file would name another file: relative to its own folder. Both must exist but for the
+ * model file itself, else NULL. free() it. */
+KG_API char *kg_document_relative(const char *model_path, const char *file);
+
 KG_API kg_document_kind kg_document_get_kind(const kg_document *document);
 KG_API const char *kg_document_title(const kg_document *document);
 /* The model of a patch document, else NULL. */

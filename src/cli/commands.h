@@ -2,7 +2,9 @@
 #ifndef KG_CLI_COMMANDS_H
 #define KG_CLI_COMMANDS_H
 
+int kg_command_apply(int argc, char **argv);
 int kg_command_check(int argc, char **argv);
+int kg_command_edit(int argc, char **argv);
 int kg_command_export(int argc, char **argv);
 int kg_command_info(int argc, char **argv);
 int kg_command_net(int argc, char **argv);

@@ -7,18 +7,22 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static int run_help(int argc, char **argv);
 static int run_version(int argc, char **argv);
 
 static const kg_command commands[] = {
+    {"edit", "the desktop app; also: katagami MODEL, or katagami alone", kg_command_edit},
     {"new", "an empty patch model over a reference mesh", kg_command_new},
     {"info", "what is in a model, measured", kg_command_info},
     {"check", "everything in a model that would not work on paper", kg_command_check},
     {"net", "the pages to cut: SVG, PDF or DXF", kg_command_net},
     {"export", "the surface as a mesh: OBJ, PLY, STL, OFF, glTF or GLB", kg_command_export},
     {"render", "a picture as PNG", kg_command_render},
+    {"apply", "the app's own edits, from a file", kg_command_apply},
     {"help", "this text, or the help of a command: katagami help COMMAND", run_help},
     {"version", "the version", run_version},
 };
@@ -84,14 +88,20 @@ int kg_command_misuse(const char *command, const char *format, ...) {
 }
 
 int main(int argc, char **argv) {
-    if (argc < 2) {
+    if (argc < 2 && !getenv("DISPLAY") && !getenv("WAYLAND_DISPLAY")) {
         print_help(stderr);
         return KG_EXIT_USAGE;
     }
-    const kg_command *command = find_command(argv[1]);
-    if (!command) {
+    const kg_command *command = find_command(argc < 2 ? "edit" : argv[1]);
+    bool opens = argc < 2 || (!command && access(argv[1], F_OK) == 0);
+    if (!command && !opens) {
         fprintf(stderr, "katagami: there is no command called %s (see katagami help)\n", argv[1]);
         return KG_EXIT_USAGE;
+    }
+    if (opens) { /* the model stands where the command would */
+        command = find_command("edit");
+        argc++;
+        argv--;
     }
     int code = command->run(argc - 1, argv + 1);
     /* A full disk or a closed pipe shows itself only when the last bytes leave. */

@@ -74,8 +74,10 @@ kg_status kg_document_check(const kg_document *d, kg_error *error) {
 /* ---- reference -------------------------------------------------------------------------- */
 
 /* The reference's path: relative ones start at the model's folder. */
-static char *reference_path(const kg_document *d) {
+char *kg_document_reference_path(const kg_document *d) {
     const char *file = d->model->reference.file;
+    if (!file)
+        return NULL;
     const char *slash = d->path ? strrchr(d->path, '/') : NULL;
     if (file[0] == '/' || !slash)
         return strdup(file);
@@ -95,7 +97,7 @@ kg_status kg_document_reference(const kg_document *d, kg_mesh **out_mesh, kg_err
         *out_mesh = NULL;
         return KG_OK;
     }
-    char *path = reference_path(d);
+    char *path = kg_document_reference_path(d);
     kg_status status =
         path ? kg_mesh_read(path, &mesh, error) : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     /* y up is turned to z up: (x, y, z) -> (x, -z, y) */

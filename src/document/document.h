@@ -11,4 +11,8 @@ struct kg_document {
     kg_solution *solution; /* NULL until solved */
 };
 
+/* The reference's path, relative ones starting at the model's folder; NULL for none, or when memory
+ * runs out. free() it. */
+char *kg_document_reference_path(const kg_document *document);
+
 #endif

@@ -1,0 +1,190 @@
+#include "app/app.h"
+
+#include "app/commands/commands.h"
+#include "app/panels/panels.h"
+#include "app/recovery.h"
+#include "app/tools/tool.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+/* Frames after an event until everything has its place: a menu opens in the second. More would mean
+ * that something moves for ever. */
+enum { MOST_FRAMES = 8 };
+
+kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error *error) {
+    kg_settings settings;
+    kg_settings_default(&settings);
+    kg_settings_read(&settings);
+    *app = (kg_app){.width = width, .height = height, .scale = scale, .redraw = true};
+    kg_status status = kg_editor_init(&app->editor, &settings, error);
+    kg_settings_clear(&settings);
+    if (status)
+        return status;
+    if (!(status = kg_ui_create(error)))
+        status = kg_scenery_create(&app->stage, error);
+    if (status)
+        kg_app_clear(app);
+    return status;
+}
+
+void kg_app_clear(kg_app *app) {
+    kg_scenery_destroy(app->stage);
+    kg_ui_destroy();
+    kg_editor_clear(&app->editor);
+    kg_events_clear(&app->events);
+    kg_dialogs_clear(&app->dialogs);
+}
+
+/* ---- requests of commands ---------------------------------------------------------------- */
+
+static void serve_request(kg_app *app) {
+    kg_request request = app->editor.request;
+    app->editor.request = KG_REQUEST_NONE;
+    switch (request) {
+    case KG_REQUEST_NEW:
+        kg_dialogs_go_on(app, KG_FOR_NEW);
+        break;
+    case KG_REQUEST_OPEN:
+        kg_dialogs_go_on(app, KG_FOR_OPEN);
+        break;
+    case KG_REQUEST_QUIT:
+        kg_dialogs_go_on(app, KG_FOR_QUIT);
+        break;
+    case KG_REQUEST_SAVE_AS:
+        kg_dialogs_browse(app, KG_FOR_SAVE);
+        break;
+    case KG_REQUEST_REFERENCE:
+        kg_dialogs_browse(app, KG_FOR_REFERENCE);
+        break;
+    case KG_REQUEST_EXPORT_NET:
+        kg_dialogs_browse(app, KG_FOR_NET);
+        break;
+    case KG_REQUEST_EXPORT_MESH:
+        kg_dialogs_browse(app, KG_FOR_MESH);
+        break;
+    case KG_REQUEST_PALETTE:
+        app->dialogs.open_palette = true;
+        break;
+    case KG_REQUEST_HELP:
+        app->dialogs.open_help = true;
+        break;
+    case KG_REQUEST_SETTINGS:
+        app->dialogs.open_settings = true;
+        break;
+    case KG_REQUEST_RENAME:
+        app->dialogs.open_rename = true;
+        break;
+    case KG_REQUEST_NONE:
+        break;
+    }
+}
+
+void kg_app_open(kg_app *app, const char *path) {
+    const char *dot = strrchr(path, '.');
+    bool is_model = !dot || strcasecmp(dot, ".katagami") == 0 || strcasecmp(dot, ".json") == 0;
+    snprintf(app->dialogs.path, sizeof app->dialogs.path, "%s", path);
+    if (is_model)
+        kg_dialogs_go_on(app, KG_FOR_OPEN_PATH);
+    else
+        kg_dialogs_use_file(app, KG_FOR_REFERENCE, path);
+}
+
+/* ---- events ----------------------------------------------------------------------------- */
+
+static bool is_of_mouse(const kg_event *e) {
+    return e->type == KG_EVENT_MOVE || e->type == KG_EVENT_PRESS || e->type == KG_EVENT_RELEASE ||
+           e->type == KG_EVENT_WHEEL;
+}
+
+static void give_to_editor(kg_app *app, const kg_event *event) {
+    kg_editor *e = &app->editor;
+    if (kg_axes_event(app, event))
+        return;
+    if (kg_pane_event(&e->pane, event, e->settings.navigation))
+        return;
+    if (e->tool->event(e, event) || event->type != KG_EVENT_KEY)
+        return;
+    const kg_app_command *command = kg_command_of_key(event, e->settings.navigation);
+    kg_error error;
+    if (command && kg_command_is_enabled(command, e) && kg_command_run(command, e, NULL, &error))
+        return; /* it is shown */
+}
+
+static void give_to_app(kg_app *app, const kg_event *event) {
+    switch (event->type) {
+    case KG_EVENT_RESIZE:
+        app->width = event->width;
+        app->height = event->height;
+        app->scale = event->scale;
+        break;
+    case KG_EVENT_CLOSE:
+        kg_dialogs_go_on(app, KG_FOR_QUIT);
+        break;
+    case KG_EVENT_DROP:
+        kg_app_open(app, event->path);
+        break;
+    default:
+        break;
+    }
+}
+
+void kg_app_event(kg_app *app, const kg_event *event, double seconds) {
+    kg_editor *e = &app->editor;
+    double scale = app->scale * e->settings.scale;
+    e->clock += seconds;
+    e->mods = event->type == KG_EVENT_NONE ? e->mods : event->mods;
+    e->pane.scale = scale;
+    if (is_of_mouse(event))
+        e->pointer = event->position;
+    give_to_app(app, event);
+    kg_ui_set_look(e->settings.theme, scale);
+    kg_ui_begin(event, app->width, app->height, seconds);
+    bool dragging = e->pane.drag != KG_DRAG_NONE;
+    if (is_of_mouse(event) ? dragging || !kg_ui_has_mouse() : !kg_ui_has_keys())
+        give_to_editor(app, event);
+    serve_request(app);
+    kg_editor_update(e);
+    kg_panels_show(app);
+    serve_request(app);
+    kg_editor_update(e);
+    kg_ui_end();
+    if (!app->framed && e->pane.area.width > 1) {
+        kg_pane_fit(&e->pane, kg_editor_box(e, false));
+        app->framed = true;
+    }
+    kg_recovery_tick(app);
+    app->redraw = app->redraw || event->type != KG_EVENT_NONE;
+}
+
+void kg_app_run_events(kg_app *app, double seconds) {
+    kg_event event;
+    while (kg_events_take(&app->events, &event)) {
+        kg_app_event(app, &event, seconds);
+        kg_event_clear(&event);
+        seconds = 0;
+    }
+    for (int i = 0; i < MOST_FRAMES && (i == 0 || kg_ui_unsettled()); i++) {
+        kg_event nothing = {.mods = app->editor.mods};
+        app->redraw = app->redraw || kg_ui_unsettled();
+        kg_app_event(app, &nothing, seconds);
+        seconds = 0;
+    }
+}
+
+kg_status kg_app_draw(kg_app *app, kg_error *error) {
+    kg_status status = kg_scenery_draw(app->stage, &app->editor, app->height, error);
+    if (!status)
+        kg_ui_draw();
+    app->redraw = false;
+    return status;
+}
+
+void kg_app_title(const kg_app *app, char *out, size_t size) {
+    const char *path = app->editor.path, *slash = path ? strrchr(path, '/') : NULL;
+    snprintf(out, size, "%s%s — katagami", kg_editor_is_modified(&app->editor) ? "● " : "",
+             slash  ? slash + 1
+             : path ? path
+                    : "untitled");
+}

@@ -1,0 +1,53 @@
+/*
+ * The app around an editor: it gives events to the widgets, the camera, the tools and the
+ * commands, in this order, shows the panels, and draws. It knows no window: window.c and
+ * headless.c feed it events and ask it to draw.
+ */
+#ifndef KG_APP_APP_H
+#define KG_APP_APP_H
+
+#include "app/dialogs.h"
+#include "app/editor.h"
+#include "app/scenery.h"
+
+/* The ball of axes as it was last drawn. */
+typedef struct kg_axes_ball {
+    kg_area area;
+    kg_view view, pressed; /* under the pointer, and where it was pressed; KG_VIEW_COUNT: none */
+    bool over, held;
+} kg_axes_ball;
+
+typedef struct kg_app {
+    kg_editor editor;
+    kg_scenery *stage;
+    kg_events events;
+    int width, height; /* pixels */
+    double scale;      /* of the screen, 1 without HiDPI */
+    kg_dialogs dialogs;
+    kg_axes_ball axes;
+    double autosaved; /* clock of the last autosave */
+    bool framed;      /* the camera was set to the document at least once */
+    bool quit;
+    bool busy;   /* work goes on in the background: look again soon */
+    bool redraw; /* the picture is no longer what is shown */
+} kg_app;
+
+/* Needs a current OpenGL context. */
+kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error *error) KG_CHECKED;
+void kg_app_clear(kg_app *app);
+
+/* Opens a model, or takes a mesh as the reference. What goes wrong is shown. */
+void kg_app_open(kg_app *app, const char *path);
+
+/* Handles one event, `seconds` after the last one. */
+void kg_app_event(kg_app *app, const kg_event *event, double seconds);
+/* Handles all events in the queue, then shows frames until nothing moves any more. */
+void kg_app_run_events(kg_app *app, double seconds);
+
+/* Draws into the bound framebuffer. */
+kg_status kg_app_draw(kg_app *app, kg_error *error) KG_CHECKED;
+
+/* The window's title: the file's name, with a mark when it is not saved. */
+void kg_app_title(const kg_app *app, char *out, size_t size);
+
+#endif

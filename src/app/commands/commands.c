@@ -1,0 +1,97 @@
+#include "app/commands/commands.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const kg_command_table *const tables[] = {&kg_file_commands,  &kg_edit_commands,
+                                                 &kg_patch_commands, &kg_move_commands,
+                                                 &kg_trim_commands,  &kg_view_commands};
+enum { TABLE_COUNT = sizeof tables / sizeof *tables };
+
+size_t kg_command_count(void) {
+    size_t count = 0;
+    for (size_t i = 0; i < TABLE_COUNT; i++)
+        count += tables[i]->count;
+    return count;
+}
+
+const kg_app_command *kg_command_at(size_t index) {
+    for (size_t i = 0; i < TABLE_COUNT; i++) {
+        if (index < tables[i]->count)
+            return &tables[i]->items[index];
+        index -= tables[i]->count;
+    }
+    return NULL;
+}
+
+const kg_app_command *kg_command_find(const char *id) {
+    for (size_t i = 0; i < kg_command_count(); i++)
+        if (strcmp(kg_command_at(i)->id, id) == 0)
+            return kg_command_at(i);
+    return NULL;
+}
+
+/* ---- keys ------------------------------------------------------------------------------- */
+
+const char *kg_command_keys(const kg_app_command *command, kg_navigation navigation) {
+    return navigation == KG_NAVIGATION_BLENDER && command->blender_keys ? command->blender_keys
+                                                                        : command->keys;
+}
+
+/* Copies the chord at `keys` and returns where the next one begins, NULL at the end. */
+static const char *next_chord(const char *keys, char out[32]) {
+    size_t n = strcspn(keys, "|");
+    snprintf(out, 32, "%.*s", (int)n, keys);
+    return keys[n] ? keys + n + 1 : NULL;
+}
+
+void kg_command_shortcut(const kg_app_command *command, kg_navigation navigation, char out[32]) {
+    const char *keys = kg_command_keys(command, navigation);
+    out[0] = '\0';
+    if (keys)
+        next_chord(keys, out);
+}
+
+const kg_app_command *kg_command_of_key(const kg_event *event, kg_navigation navigation) {
+    for (size_t i = 0; i < kg_command_count(); i++) {
+        const char *keys = kg_command_keys(kg_command_at(i), navigation);
+        while (keys) {
+            char text[32];
+            kg_chord chord;
+            keys = next_chord(keys, text);
+            if (kg_chord_parse(text, &chord) && chord.key == event->key &&
+                chord.mods == event->mods)
+                return kg_command_at(i);
+        }
+    }
+    return NULL;
+}
+
+/* ---- running ---------------------------------------------------------------------------- */
+
+bool kg_command_is_enabled(const kg_app_command *command, const kg_editor *e) {
+    return !command->enabled || command->enabled(e);
+}
+
+kg_status kg_command_run(const kg_app_command *command, kg_editor *e, const json_t *arguments,
+                         kg_error *error) {
+    kg_status status = command->run(e, arguments, error);
+    if (status)
+        kg_editor_say(e, KG_FAULT, "%s", error->message);
+    kg_editor_update(e);
+    return status;
+}
+
+void kg_command_do(kg_editor *e, const char *id) {
+    const kg_app_command *command = kg_command_find(id);
+    kg_error error;
+    if (command && kg_command_is_enabled(command, e) && kg_command_run(command, e, NULL, &error))
+        return; /* it has been shown */
+}
+
+bool kg_has_selection(const kg_editor *e) {
+    return e->selection.patches.count > 0;
+}
+bool kg_has_two_selected(const kg_editor *e) {
+    return e->selection.patches.count > 1;
+}

@@ -1,0 +1,50 @@
+/* Which dialogs are open, and what they hold. panels/ shows them. */
+#ifndef KG_APP_DIALOGS_H
+#define KG_APP_DIALOGS_H
+
+#include "app/settings.h"
+
+/* What is to be done with the file that is being chosen, or once the changes are dealt with. */
+typedef enum kg_purpose {
+    KG_FOR_NOTHING,
+    KG_FOR_NEW,
+    KG_FOR_OPEN,
+    KG_FOR_OPEN_PATH, /* a certain file: dialogs.path */
+    KG_FOR_SAVE,
+    KG_FOR_REFERENCE,
+    KG_FOR_NET,
+    KG_FOR_MESH,
+    KG_FOR_QUIT
+} kg_purpose;
+
+typedef struct kg_browser_entry {
+    char *name;
+    bool is_folder;
+} kg_browser_entry;
+
+typedef struct kg_dialogs {
+    bool open_palette, open_help, open_settings, open_rename, open_unsaved, open_browser,
+        open_error, open_recovery, open_overwrite; /* to be opened in this frame */
+    kg_purpose purpose;                            /* of the browser */
+    kg_purpose after_unsaved; /* goes on when the changes are saved or given up */
+    char error[KG_ERROR_SIZE];
+
+    char path[KG_PATH_SIZE];   /* see KG_FOR_OPEN_PATH */
+    char folder[KG_PATH_SIZE]; /* that the browser shows */
+    char file[256];
+    struct {
+        kg_browser_entry *items;
+        size_t count, capacity;
+    } entries;
+
+    char search[128]; /* of the palette */
+    size_t chosen;
+    char name[256]; /* of rename */
+    bool focus;     /* the first field takes the keyboard */
+
+    double scale; /* being chosen in the preferences; 0: not */
+
+    char recovery[KG_PATH_SIZE]; /* an autosaved file; empty: none */
+} kg_dialogs;
+
+#endif

@@ -1,0 +1,419 @@
+#include "app/editor.h"
+
+#include "app/text.h"
+#include "app/tools/tool.h"
+#include "base/array.h"
+#include "model/edit.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+kg_model *kg_editor_model(const kg_editor *e) {
+    return kg_document_model(e->document);
+}
+
+const kg_solution *kg_editor_solution(const kg_editor *e) {
+    return kg_document_solution(e->document);
+}
+
+void kg_editor_say(kg_editor *e, kg_severity severity, const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    vsnprintf(e->message, sizeof e->message, format, args);
+    va_end(args);
+    e->severity = severity;
+    e->message_number++;
+}
+
+/* ---- selection -------------------------------------------------------------------------- */
+
+int kg_editor_selection_rank(const kg_editor *e, int64_t patch) {
+    for (size_t i = 0; i < e->selection.patches.count; i++)
+        if (e->selection.patches.items[i] == patch)
+            return (int)i;
+    return -1;
+}
+
+bool kg_editor_is_selected(const kg_editor *e, int64_t patch) {
+    return kg_editor_selection_rank(e, patch) >= 0;
+}
+
+static void deselect(kg_editor *e, int64_t patch) {
+    kg_selection *s = &e->selection;
+    size_t kept = 0;
+    for (size_t i = 0; i < s->patches.count; i++)
+        if (s->patches.items[i] != patch)
+            s->patches.items[kept++] = s->patches.items[i];
+    s->patches.count = kept;
+    kept = 0;
+    for (size_t i = 0; i < s->points.count; i++)
+        if (s->points.items[i].patch != patch)
+            s->points.items[kept++] = s->points.items[i];
+    s->points.count = kept;
+}
+
+void kg_editor_select_none(kg_editor *e) {
+    e->selection.patches.count = e->selection.points.count = 0;
+}
+
+void kg_editor_select(kg_editor *e, int64_t patch, bool toggle) {
+    if (!toggle)
+        kg_editor_select_none(e);
+    if (kg_editor_is_selected(e, patch))
+        deselect(e, patch);
+    else if (!kg_push(&e->selection.patches, patch))
+        return; /* not selected, as the user will see */
+}
+
+static bool same_point(kg_point_ref a, kg_point_ref b) {
+    return a.patch == b.patch && a.index == b.index;
+}
+
+bool kg_editor_is_point_selected(const kg_editor *e, kg_point_ref point) {
+    for (size_t i = 0; i < e->selection.points.count; i++)
+        if (same_point(e->selection.points.items[i], point))
+            return true;
+    return false;
+}
+
+void kg_editor_select_point(kg_editor *e, kg_point_ref point, bool toggle) {
+    kg_selection *s = &e->selection;
+    bool was = kg_editor_is_point_selected(e, point);
+    size_t kept = 0;
+    for (size_t i = 0; i < s->points.count; i++)
+        if (toggle && !same_point(s->points.items[i], point))
+            s->points.items[kept++] = s->points.items[i];
+    s->points.count = kept;
+    if (!(toggle && was) && !kg_push(&s->points, point))
+        return;
+}
+
+int64_t kg_editor_first_selected(const kg_editor *e) {
+    return e->selection.patches.count > 0 ? e->selection.patches.items[0] : 0;
+}
+
+bool kg_editor_shows_points(const kg_editor *e, int64_t patch) {
+    const kg_model_patch *p = kg_model_find(kg_editor_model(e), patch);
+    return e->level == KG_LEVEL_POINTS && p && !p->hidden && kg_editor_is_selected(e, patch);
+}
+
+/* Drops what the model no longer has. */
+static void prune_selection(kg_editor *e) {
+    const kg_model *m = kg_editor_model(e);
+    for (size_t i = e->selection.patches.count; i-- > 0;)
+        if (!kg_model_find(m, e->selection.patches.items[i]))
+            deselect(e, e->selection.patches.items[i]);
+    size_t kept = 0;
+    for (size_t i = 0; i < e->selection.points.count; i++) {
+        kg_point_ref r = e->selection.points.items[i];
+        const kg_model_patch *p = kg_model_find(m, r.patch);
+        if (p && r.index < p->input.point_count)
+            e->selection.points.items[kept++] = r;
+    }
+    e->selection.points.count = kept;
+    if (!kg_model_find(m, e->hover_point.patch))
+        e->hover_point.patch = 0;
+    if (!kg_model_find(m, e->hover_patch))
+        e->hover_patch = 0;
+}
+
+/* Brings what is kept beside the solution up to it. */
+static void follow_solution(kg_editor *e) {
+    e->solved++;
+    if (kg_surfaces_update(&e->surfaces, kg_editor_solution(e)))
+        kg_editor_say(e, KG_FAULT, "%s", _("Out of memory: some patches are not shown."));
+    prune_selection(e);
+}
+
+static void add_patch_box(const kg_editor *e, const kg_model_patch *p, kg_box3 *box) {
+    const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), p->id);
+    bool any = false;
+    for (size_t i = 0; s && i < s->regions.count; i++)
+        for (size_t k = 0; k < s->regions.items[i].loops[0].point_count; k++, any = true)
+            kg_box3_add(box, s->regions.items[i].loops[0].points[k].x);
+    for (size_t i = 0; !any && i < p->input.point_count; i++)
+        kg_box3_add(box, p->input.points[i]);
+}
+
+kg_box3 kg_editor_box(const kg_editor *e, bool selection) {
+    const kg_model *m = kg_editor_model(e);
+    kg_box3 box = kg_box3_empty();
+    for (size_t i = 0; i < m->patch_count; i++)
+        if (!m->patches[i].hidden && (!selection || kg_editor_is_selected(e, m->patches[i].id)))
+            add_patch_box(e, &m->patches[i], &box);
+    if (!selection && e->backdrop.mesh && m->reference.visible) {
+        kg_box3 b = kg_mesh_bounds(e->backdrop.mesh);
+        kg_box3_add(&box, b.lo);
+        kg_box3_add(&box, b.hi);
+    }
+    return box;
+}
+
+/* ---- tools ------------------------------------------------------------------------------ */
+
+void kg_editor_use(kg_editor *e, const kg_tool *tool, void *state) {
+    if (e->tool && e->tool->end)
+        e->tool->end(e);
+    if (e->before)
+        kg_editor_cancel(e);
+    free(e->tool_state);
+    e->tool = tool;
+    e->tool_state = state;
+}
+
+void kg_editor_use_default(kg_editor *e) {
+    kg_editor_use(e, &kg_tool_select, NULL);
+}
+
+/* ---- changes ---------------------------------------------------------------------------- */
+
+kg_status kg_editor_begin(kg_editor *e, const char *label, kg_error *error) {
+    if (e->before)
+        return KG_OK;
+    e->before = kg_model_copy(kg_editor_model(e));
+    if (!e->before)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    snprintf(e->gesture, sizeof e->gesture, "%s", label);
+    return KG_OK;
+}
+
+void kg_editor_touch(kg_editor *e) {
+    e->stale = true;
+}
+
+void kg_editor_commit(kg_editor *e) {
+    kg_error error;
+    kg_model *before = e->before;
+    e->before = NULL;
+    if (!before)
+        return;
+    if (kg_model_equal(before, kg_editor_model(e))) {
+        kg_model_destroy(before);
+        return;
+    }
+    uint64_t state = e->state;
+    e->state = e->next_state++;
+    kg_editor_touch(e);
+    if (kg_history_push(&e->history, before, state, e->gesture, &error))
+        kg_editor_say(e, KG_FAULT, "%s", error.message);
+    kg_editor_update(e);
+}
+
+void kg_editor_cancel(kg_editor *e) {
+    if (!e->before)
+        return;
+    kg_model_swap(kg_editor_model(e), e->before);
+    kg_model_destroy(e->before);
+    e->before = NULL;
+    kg_editor_touch(e);
+    kg_editor_update(e);
+}
+
+kg_status kg_editor_finish(kg_editor *e, kg_status status) {
+    if (status)
+        kg_editor_cancel(e);
+    else
+        kg_editor_commit(e);
+    return status;
+}
+
+/* The reference of a model, to know whether a step changed it. */
+static bool same_reference(const kg_model *a, const kg_model *b) {
+    const kg_reference *r = &a->reference, *s = &b->reference;
+    bool same_file = r->file && s->file ? strcmp(r->file, s->file) == 0 : r->file == s->file;
+    return same_file && r->size_mm == s->size_mm && r->up_y == s->up_y &&
+           r->has_matrix == s->has_matrix &&
+           (!r->has_matrix || memcmp(r->matrix, s->matrix, sizeof r->matrix) == 0);
+}
+
+static bool step_back_or_forth(kg_editor *e, bool back) {
+    kg_steps *from = back ? &e->history.undo : &e->history.redo;
+    if (e->before || from->count == 0)
+        return false;
+    bool same = same_reference(from->items[from->count - 1].model, kg_editor_model(e));
+    bool done =
+        (back ? kg_history_undo : kg_history_redo)(&e->history, kg_editor_model(e), &e->state);
+    if (!done)
+        return false;
+    kg_editor_touch(e);
+    kg_editor_update(e);
+    if (!same)
+        kg_editor_load_reference(e);
+    return true;
+}
+
+bool kg_editor_undo(kg_editor *e) {
+    return step_back_or_forth(e, true);
+}
+
+bool kg_editor_redo(kg_editor *e) {
+    return step_back_or_forth(e, false);
+}
+
+void kg_editor_update(kg_editor *e) {
+    kg_error error;
+    if (!e->stale)
+        return;
+    if (kg_document_solve(e->document, KG_EDITOR_CHORD, &error)) {
+        kg_editor_say(e, KG_FAULT, "%s", error.message);
+        return;
+    }
+    e->stale = false;
+    follow_solution(e);
+}
+
+size_t kg_editor_hits(const kg_editor *e, kg_vec2 px, kg_hit *out_hits, size_t most) {
+    kg_vec3 origin, direction;
+    size_t count = 0;
+    kg_pane_ray(&e->pane, px, &origin, &direction);
+    for (size_t i = 0; i < e->surfaces.count; i++) {
+        const kg_model_patch *p = kg_model_find(kg_editor_model(e), e->surfaces.items[i].id);
+        kg_hit hit;
+        if (!p || p->hidden || !kg_surface_hit(&e->surfaces.items[i], origin, direction, &hit))
+            continue;
+        size_t at = count < most ? count : most;
+        while (at > 0 && out_hits[at - 1].distance > hit.distance)
+            at--;
+        if (at == most)
+            continue;
+        count += count < most;
+        for (size_t k = count - 1; k > at; k--)
+            out_hits[k] = out_hits[k - 1];
+        out_hits[at] = hit;
+    }
+    return count;
+}
+
+/* ---- files ------------------------------------------------------------------------------ */
+
+static void clear_backdrop(kg_backdrop *b) {
+    kg_mesh_destroy(b->mesh);
+    kg_mesh_query_destroy(b->query);
+    b->mesh = NULL;
+    b->query = NULL;
+    b->revision++;
+}
+
+void kg_editor_load_reference(kg_editor *e) {
+    kg_error error;
+    clear_backdrop(&e->backdrop);
+    kg_status status = kg_document_reference(e->document, &e->backdrop.mesh, &error);
+    if (!status && e->backdrop.mesh)
+        status = kg_mesh_query_create(e->backdrop.mesh, &e->backdrop.query, &error);
+    if (status) {
+        clear_backdrop(&e->backdrop);
+        kg_editor_say(e, KG_WARNING, _("The reference cannot be shown: %s"), error.message);
+    }
+}
+
+/* Puts a document in the place of the one before it. */
+static void replace_document(kg_editor *e, kg_document *document, char *path) {
+    kg_editor_use_default(e);
+    kg_history_clear(&e->history);
+    kg_document_destroy(e->document);
+    free(e->path);
+    e->document = document;
+    e->path = path;
+    kg_history_restore(kg_editor_model(e), &e->next_state, &e->history);
+    e->state = e->saved_state = e->autosaved_state = e->next_state++;
+    kg_editor_select_none(e);
+    e->hover_point = (kg_point_ref){0};
+    e->hover_patch = 0;
+    follow_solution(e);
+    e->message[0] = '\0';
+    kg_editor_load_reference(e);
+}
+
+kg_status kg_editor_new(kg_editor *e, kg_error *error) {
+    kg_document *document;
+    kg_model *model = kg_model_create();
+    if (!model)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status = kg_document_from_model(model, NULL, &document, error);
+    if (status)
+        return status;
+    if ((status = kg_document_solve(document, KG_EDITOR_CHORD, error))) {
+        kg_document_destroy(document);
+        return status;
+    }
+    replace_document(e, document, NULL);
+    return KG_OK;
+}
+
+kg_status kg_editor_open(kg_editor *e, const char *path, kg_error *error) {
+    kg_document *document;
+    char *copy = strdup(path);
+    kg_status status = copy ? kg_document_read(path, &document, error)
+                            : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (!status && (status = kg_document_solve(document, KG_EDITOR_CHORD, error)))
+        kg_document_destroy(document);
+    if (status) {
+        free(copy);
+        return status;
+    }
+    replace_document(e, document, copy);
+    return KG_OK;
+}
+
+kg_status kg_editor_save(kg_editor *e, const char *path, kg_error *error) {
+    char *copy = strdup(path ? path : e->path ? e->path : "");
+    if (!copy)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (e->before)
+        kg_editor_commit(e);
+    kg_model *model = kg_editor_model(e);
+    kg_status status = kg_history_store(&e->history, model, error);
+    if (!status)
+        status = kg_document_save(e->document, copy, error);
+    /* the history is the file's alone: within the model it would be part of every step */
+    kg_history none = {0};
+    kg_error ignored;
+    if (kg_history_store(&none, model, &ignored))
+        kg_editor_say(e, KG_WARNING, "%s", ignored.message);
+    if (status) {
+        free(copy);
+        return status;
+    }
+    free(e->path);
+    e->path = copy;
+    e->saved_state = e->autosaved_state = e->state;
+    return KG_OK;
+}
+
+bool kg_editor_is_modified(const kg_editor *e) {
+    return e->state != e->saved_state || e->before;
+}
+
+/* ---- life ------------------------------------------------------------------------------- */
+
+kg_status kg_editor_init(kg_editor *e, const kg_settings *settings, kg_error *error) {
+    *e = (kg_editor){
+        .next_state = 1, .patch_opacity = 1, .tool = &kg_tool_select, .mirror_normal = {0, 1, 0}};
+    e->pane.camera = kg_camera_default();
+    e->pane.area = (kg_area){0, 0, 1, 1};
+    e->pane.scale = 1;
+    if (kg_settings_copy(settings, &e->settings))
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status = kg_editor_new(e, error);
+    if (status)
+        kg_editor_clear(e);
+    return status;
+}
+
+void kg_editor_clear(kg_editor *e) {
+    if (e->tool && e->tool->end && e->document)
+        e->tool->end(e);
+    kg_model_destroy(e->before);
+    kg_history_clear(&e->history);
+    clear_backdrop(&e->backdrop);
+    kg_surfaces_clear(&e->surfaces);
+    kg_document_destroy(e->document);
+    kg_settings_clear(&e->settings);
+    free(e->selection.patches.items);
+    free(e->selection.points.items);
+    free(e->tool_state);
+    free(e->path);
+    *e = (kg_editor){0};
+}

@@ -1,0 +1,106 @@
+#include "app/headless.h"
+
+#include "app/app.h"
+#include "app/script.h"
+
+#include <epoxy/gl.h>
+#include <stdlib.h>
+
+typedef struct canvas {
+    kg_app *app;
+    GLuint framebuffer, color, depth;
+    int width, height;
+} canvas;
+
+static GLuint attach(GLenum attachment, GLenum format, int width, int height) {
+    GLuint buffer;
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
+    return buffer;
+}
+
+static void release(canvas *c) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glDeleteFramebuffers(1, &c->framebuffer);
+    glDeleteRenderbuffers(1, &c->color);
+    glDeleteRenderbuffers(1, &c->depth);
+    c->framebuffer = c->color = c->depth = 0;
+}
+
+/* A framebuffer of the app's present size. */
+static kg_status fit(canvas *c, kg_error *error) {
+    if (c->framebuffer && c->width == c->app->width && c->height == c->app->height)
+        return KG_OK;
+    release(c);
+    c->width = c->app->width;
+    c->height = c->app->height;
+    glGenFramebuffers(1, &c->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, c->framebuffer);
+    c->color = attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, c->width, c->height);
+    c->depth = attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, c->width, c->height);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return kg_fail(error, KG_ERR_SYSTEM, "OpenGL cannot make a picture of %d x %d pixels",
+                       c->width, c->height);
+    return KG_OK;
+}
+
+static kg_status shoot(void *user, const char *path, kg_error *error) {
+    canvas *c = user;
+    kg_status status = fit(c, error);
+    if (status)
+        return status;
+    glBindFramebuffer(GL_FRAMEBUFFER, c->framebuffer);
+    if ((status = kg_app_draw(c->app, error)))
+        return status;
+    size_t row = 4 * (size_t)c->width, size = row * (size_t)c->height;
+    uint8_t *up = malloc(size), *down = malloc(size);
+    if (up && down) {
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        glReadPixels(0, 0, c->width, c->height, GL_RGBA, GL_UNSIGNED_BYTE, up);
+        for (size_t y = 0; y < (size_t)c->height; y++)
+            for (size_t x = 0; x < row; x++) {
+                size_t from = ((size_t)c->height - 1 - y) * row + x;
+                down[y * row + x] = x % 4 == 3 ? 255 : up[from];
+            }
+        kg_image image = {c->width, c->height, down};
+        status = kg_image_write_png(&image, path, error);
+    } else {
+        status = kg_fail(error, KG_ERR_MEMORY, "no memory for a picture");
+    }
+    free(up);
+    free(down);
+    return status;
+}
+
+static kg_status run(kg_app *app, const kg_run_options *o, kg_error *error) {
+    kg_status status = KG_OK;
+    canvas c = {.app = app};
+    app->editor.settings.autosave_minutes = 0;
+    if (o->model)
+        status = kg_editor_open(&app->editor, o->model, error);
+    kg_app_run_events(app, 0);
+    if (!status && o->script)
+        status = kg_script_run(app, o->script, shoot, &c, error);
+    if (!status && o->shot)
+        status = shoot(&c, o->shot, error);
+    release(&c);
+    return status;
+}
+
+kg_status kg_headless_run(const kg_run_options *o, kg_error *error) {
+    kg_offscreen *offscreen;
+    kg_app app;
+    kg_status status = kg_offscreen_create(&offscreen, error);
+    if (status)
+        return status;
+    status =
+        kg_app_init(&app, (int)(o->width * o->scale), (int)(o->height * o->scale), o->scale, error);
+    if (!status) {
+        status = run(&app, o, error);
+        kg_app_clear(&app);
+    }
+    kg_offscreen_destroy(offscreen);
+    return status;
+}

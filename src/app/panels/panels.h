@@ -1,0 +1,34 @@
+/* The windows of the app. Each function shows one and does what the user does in it. */
+#ifndef KG_APP_PANELS_PANELS_H
+#define KG_APP_PANELS_PANELS_H
+
+#include "app/app.h"
+
+/* All of them; sets the area that is left for the 3D view. */
+void kg_panels_show(kg_app *app);
+
+double kg_panel_menu(kg_app *app); /* height in pixels */
+void kg_panel_toolbar(kg_app *app, kg_area area);
+void kg_panel_outliner(kg_app *app, kg_area area);
+void kg_panel_properties(kg_app *app, kg_area area);
+void kg_panel_status(kg_app *app, kg_area area);
+void kg_panel_axes(kg_app *app);                        /* the ball that turns the view */
+bool kg_axes_event(kg_app *app, const kg_event *event); /* true: it was for the ball */
+
+/* Dialogs: opened by flags of app->dialogs. */
+void kg_panel_palette(kg_app *app);
+void kg_panel_help(kg_app *app);
+void kg_panel_settings(kg_app *app);
+void kg_panel_browser(kg_app *app);
+void kg_panel_prompts(kg_app *app);
+
+/* Asks what to do about unsaved changes, if there are any, then goes on with `purpose`. */
+void kg_dialogs_go_on(kg_app *app, kg_purpose purpose);
+/* Opens the browser. */
+void kg_dialogs_browse(kg_app *app, kg_purpose purpose);
+/* Does what a file was chosen for. */
+void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path);
+void kg_dialogs_fail(kg_app *app, const kg_error *error);
+void kg_dialogs_clear(kg_dialogs *dialogs);
+
+#endif

@@ -1,0 +1,238 @@
+/* Questions and error messages, and what goes on after them. */
+#include "app/commands/commands.h"
+#include "app/export.h"
+#include "app/panels/panels.h"
+#include "app/recovery.h"
+#include "app/text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void kg_dialogs_fail(kg_app *app, const kg_error *error) {
+    snprintf(app->dialogs.error, sizeof app->dialogs.error, "%s", error->message);
+    app->dialogs.open_error = true;
+}
+
+/* ---- going on ---------------------------------------------------------------------------- */
+
+static void remember(kg_app *app) {
+    kg_error error;
+    const char *path = app->editor.path;
+    if (!path || path[0] != '/')
+        return;
+    kg_settings_add_recent(&app->editor.settings, path);
+    if (kg_settings_write(&app->editor.settings, &error))
+        kg_editor_say(&app->editor, KG_WARNING, "%s", error.message);
+}
+
+static void go_on(kg_app *app, kg_purpose purpose) {
+    kg_error error;
+    kg_status status = KG_OK;
+    kg_recovery_forget(app);
+    switch (purpose) {
+    case KG_FOR_NEW:
+        status = kg_editor_new(&app->editor, &error);
+        app->framed = false;
+        break;
+    case KG_FOR_OPEN:
+        kg_dialogs_browse(app, KG_FOR_OPEN);
+        break;
+    case KG_FOR_OPEN_PATH:
+        status = kg_editor_open(&app->editor, app->dialogs.path, &error);
+        app->framed = app->framed && status;
+        if (!status)
+            remember(app);
+        break;
+    case KG_FOR_QUIT:
+        app->quit = true;
+        break;
+    default:
+        break;
+    }
+    if (status)
+        kg_dialogs_fail(app, &error);
+}
+
+void kg_dialogs_go_on(kg_app *app, kg_purpose purpose) {
+    app->dialogs.after_unsaved = purpose;
+    if (kg_editor_is_modified(&app->editor))
+        app->dialogs.open_unsaved = true;
+    else
+        go_on(app, purpose);
+}
+
+static void set_reference(kg_app *app, const char *path) {
+    kg_error error;
+    json_t *arguments = json_pack("{s:s}", "file", path);
+    bool had = kg_editor_model(&app->editor)->reference.file != NULL;
+    if (!arguments)
+        return;
+    if (kg_command_run(kg_command_find("reference.set"), &app->editor, arguments, &error))
+        kg_dialogs_fail(app, &error);
+    else if (!had)
+        kg_pane_fit(&app->editor.pane, kg_editor_box(&app->editor, false));
+    json_decref(arguments);
+}
+
+void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
+    kg_error error;
+    kg_status status = KG_OK;
+    switch (purpose) {
+    case KG_FOR_OPEN:
+        snprintf(app->dialogs.path, sizeof app->dialogs.path, "%s", path);
+        go_on(app, KG_FOR_OPEN_PATH);
+        return;
+    case KG_FOR_SAVE:
+        status = kg_editor_save(&app->editor, path, &error);
+        if (!status) {
+            remember(app);
+            kg_recovery_forget(app);
+            kg_editor_say(&app->editor, KG_WARNING, _("Saved %s"), path);
+            if (app->dialogs.after_unsaved != KG_FOR_NOTHING)
+                go_on(app, app->dialogs.after_unsaved);
+        }
+        app->dialogs.after_unsaved = KG_FOR_NOTHING;
+        break;
+    case KG_FOR_REFERENCE:
+        set_reference(app, path);
+        return;
+    default:
+        status = kg_export_file(&app->editor, path, &error);
+        if (!status)
+            kg_editor_say(&app->editor, KG_WARNING, _("Wrote %s"), path);
+        break;
+    }
+    if (status)
+        kg_dialogs_fail(app, &error);
+}
+
+/* ---- prompts ----------------------------------------------------------------------------- */
+
+static void show_error(kg_app *app) {
+    if (app->dialogs.open_error)
+        kg_ui_popup_open(_("That did not work"));
+    app->dialogs.open_error = false;
+    if (!kg_ui_modal_begin(_("That did not work"), 460))
+        return;
+    kg_ui_text_wrapped(app->dialogs.error);
+    kg_ui_space();
+    if (kg_ui_primary_button(_("Close")) || kg_ui_key_pressed(KG_KEY_ESCAPE))
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+}
+
+static void show_unsaved(kg_app *app) {
+    kg_dialogs *d = &app->dialogs;
+    if (d->open_unsaved)
+        kg_ui_popup_open(_("Unsaved changes"));
+    d->open_unsaved = false;
+    if (!kg_ui_modal_begin(_("Unsaved changes"), 420))
+        return;
+    bool save = false, discard = false, cancel = false;
+    kg_ui_text_wrapped(_("The model was changed since it was saved. What is to become of the "
+                         "changes?"));
+    kg_ui_space();
+    save = kg_ui_primary_button(_("Save"));
+    kg_ui_same_line();
+    discard = kg_ui_button(_("Discard"));
+    kg_ui_same_line();
+    cancel = kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE);
+    if (save || discard || cancel)
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+    if (save && app->editor.path)
+        kg_dialogs_use_file(app, KG_FOR_SAVE, app->editor.path);
+    else if (save)
+        kg_dialogs_browse(app, KG_FOR_SAVE);
+    else if (discard)
+        go_on(app, d->after_unsaved);
+    if (discard || cancel)
+        d->after_unsaved = KG_FOR_NOTHING;
+}
+
+static void show_overwrite(kg_app *app) {
+    kg_dialogs *d = &app->dialogs;
+    char text[KG_PATH_SIZE + 64];
+    if (d->open_overwrite)
+        kg_ui_popup_open(_("Replace file"));
+    d->open_overwrite = false;
+    if (!kg_ui_modal_begin(_("Replace file"), 420))
+        return;
+    snprintf(text, sizeof text, _("%s exists. Replace it?"), d->path);
+    kg_ui_text_wrapped(text);
+    kg_ui_space();
+    bool replace = kg_ui_primary_button(_("Replace"));
+    kg_ui_same_line();
+    bool cancel = kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE);
+    if (replace || cancel)
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+    if (replace) {
+        char path[KG_PATH_SIZE];
+        memcpy(path, d->path, sizeof path);
+        kg_dialogs_use_file(app, d->purpose, path);
+    }
+}
+
+static void show_rename(kg_app *app) {
+    kg_dialogs *d = &app->dialogs;
+    kg_editor *e = &app->editor;
+    int64_t id = kg_editor_first_selected(e);
+    const kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
+    if (d->open_rename && p) {
+        snprintf(d->name, sizeof d->name, "%s", p->name);
+        d->focus = true;
+        kg_ui_popup_open(_("Rename"));
+    }
+    d->open_rename = false;
+    if (!kg_ui_modal_begin(_("Rename"), 360))
+        return;
+    kg_ui_width(-1);
+    kg_ui_text_field("##name", d->name, sizeof d->name, _("Name"), d->focus);
+    bool done = kg_ui_field_entered();
+    d->focus = false;
+    kg_ui_space();
+    done = kg_ui_primary_button(_("Rename")) || done;
+    kg_ui_same_line();
+    bool cancel = kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE);
+    if (done || cancel)
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+    if (done && !cancel && p) {
+        kg_error error;
+        json_t *arguments = json_pack("{s:I,s:s}", "patch", (json_int_t)id, "name", d->name);
+        if (!arguments || kg_command_run(kg_command_find("patch.rename"), e, arguments, &error))
+            kg_editor_say(e, KG_FAULT, "%s", _("The name could not be changed."));
+        json_decref(arguments);
+    }
+}
+
+static void show_recovery(kg_app *app) {
+    kg_dialogs *d = &app->dialogs;
+    if (d->open_recovery)
+        kg_ui_popup_open(_("Recover work"));
+    d->open_recovery = false;
+    if (!kg_ui_modal_begin(_("Recover work"), 420))
+        return;
+    kg_ui_text_wrapped(_("katagami ended without saving. The work of that time was kept and can "
+                         "be opened again."));
+    kg_ui_space();
+    bool take = kg_ui_primary_button(_("Recover"));
+    kg_ui_same_line();
+    bool drop = kg_ui_button(_("Discard"));
+    if (take || drop)
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+    if (take)
+        kg_recovery_take(app);
+    if (drop)
+        kg_recovery_forget(app);
+}
+
+void kg_panel_prompts(kg_app *app) {
+    show_unsaved(app);
+    show_overwrite(app);
+    show_rename(app);
+    show_recovery(app);
+    show_error(app);
+}

@@ -1,0 +1,39 @@
+/* The status bar: what the tool expects, messages, what is wrong with the model. */
+#include "app/panels/panels.h"
+#include "app/text.h"
+#include "app/tools/tool.h"
+
+#include <stdio.h>
+
+void kg_panel_status(kg_app *app, kg_area area) {
+    const kg_editor *e = &app->editor;
+    const kg_solution *s = kg_editor_solution(e);
+    size_t faults = 0, count = kg_solution_issue_count(s);
+    for (size_t i = 0; i < count; i++)
+        faults += kg_solution_issue(s, i)->severity == KG_FAULT;
+    kg_ui_panel_begin("status", NULL, area, KG_PANEL_PLAIN | KG_PANEL_NO_SCROLL);
+    const char *now = e->tool->hint_now ? e->tool->hint_now(e) : NULL;
+    if (e->message[0])
+        kg_ui_text_color(e->severity == KG_FAULT ? (kg_color){0.95F, 0.4F, 0.3F, 1}
+                                                 : (kg_color){0.45F, 0.7F, 0.95F, 1},
+                         e->message);
+    else
+        kg_ui_text_dim(now ? now : _(e->tool->hint));
+    char text[128];
+    if (faults > 0)
+        snprintf(text, sizeof text, _("%zu faults, %zu warnings"), faults, count - faults);
+    else if (count > 0)
+        snprintf(text, sizeof text, _("%zu warnings"), count);
+    else
+        snprintf(text, sizeof text, "%s", _("No faults"));
+    kg_ui_right(kg_ui_text_width(text) + 10);
+    if (count > 0)
+        kg_ui_text_color(faults > 0 ? (kg_color){0.95F, 0.4F, 0.3F, 1}
+                                    : (kg_color){0.9F, 0.65F, 0.15F, 1},
+                         text);
+    else
+        kg_ui_text_dim(text);
+    if (count > 0)
+        kg_ui_tooltip(kg_solution_issue(s, 0)->message);
+    kg_ui_panel_end();
+}

@@ -1,0 +1,28 @@
+/*
+ * The 3D picture of an editor: its patches, reference, selection and what the tool shows. Shapes
+ * stay on the graphics card until what they show changes.
+ */
+#ifndef KG_APP_SCENERY_H
+#define KG_APP_SCENERY_H
+
+#include "app/editor.h"
+#include "app/overlay.h"
+
+typedef struct kg_scenery kg_scenery;
+
+kg_status kg_scenery_create(kg_scenery **out_stage, kg_error *error) KG_CHECKED;
+void kg_scenery_destroy(kg_scenery *stage);
+
+/* Draws into the bound framebuffer, `height_px` high. */
+kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *editor, int height_px,
+                          kg_error *error) KG_CHECKED;
+
+/* The colour a patch is shown in: its own, else the palette's. */
+kg_color kg_patch_color(const kg_model_patch *patch, size_t index);
+bool kg_color_parse(const char *text, kg_color *out_color); /* "#rrggbb" */
+void kg_color_print(kg_color color, char out[8]);
+
+/* Colours of a selected patch by its rank, apart also for colour-blind eyes. */
+kg_color kg_rank_color(int rank);
+
+#endif

@@ -1,0 +1,131 @@
+/* Choosing what stays of a patch that a new trim cuts: the piece under the pointer lights up. */
+#include "app/text.h"
+#include "app/tools/tool.h"
+#include "app/tools/tools.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_HITS = 32 };
+
+typedef struct state {
+    int64_t patch;
+    kg_hit under; /* patch 0: none */
+} state;
+
+static kg_trim_op *last_trim(const kg_editor *e, int64_t patch) {
+    kg_model_patch *p = kg_model_find(kg_editor_model(e), patch);
+    return p && p->trim_count > 0 ? &p->trims[p->trim_count - 1] : NULL;
+}
+
+static void hover(const kg_editor *e, state *s, kg_vec2 px) {
+    kg_hit hits[MOST_HITS];
+    size_t count = kg_editor_hits(e, px, hits, MOST_HITS);
+    s->under.patch = 0;
+    for (size_t i = 0; i < count && !s->under.patch; i++)
+        if (hits[i].patch == s->patch)
+            s->under = hits[i];
+}
+
+/* Notes the place clicked as one of what the trim keeps; the pieces stay visible until the end. */
+static void keep(kg_editor *e, kg_trim_op *op, kg_vec3 place) {
+    kg_vec3 *more = realloc(op->keep, (op->keep_count + 1) * sizeof *more);
+    if (!more) {
+        kg_editor_say(e, KG_FAULT, "%s", _("Out of memory."));
+        return;
+    }
+    op->keep = more;
+    op->keep[op->keep_count++] = place;
+}
+
+static void finish(kg_editor *e) {
+    kg_editor_touch(e);
+    kg_editor_commit(e);
+    kg_editor_use_default(e);
+}
+
+static bool on_event(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
+    kg_trim_op *op = last_trim(e, s->patch);
+    switch (event->type) {
+    case KG_EVENT_MOVE:
+        hover(e, s, event->position);
+        return true;
+    case KG_EVENT_PRESS:
+        if (event->button != KG_MOUSE_LEFT)
+            return false;
+        hover(e, s, event->position);
+        if (!s->under.patch || !op)
+            return true;
+        keep(e, op, s->under.point);
+        if (!(event->mods & KG_MOD_SHIFT))
+            finish(e);
+        return true;
+    case KG_EVENT_KEY:
+        if (event->key == KG_KEY_ESCAPE)
+            kg_editor_use_default(e); /* which takes the trim back */
+        else if (event->key == KG_KEY_ENTER || event->key == KG_KEY_PAD_ENTER)
+            finish(e);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void draw_piece(const kg_tessellation *piece, kg_color color, kg_overlay *o) {
+    kg_surface s = {.vertex_count = piece->vertex_count,
+                    .triangle_count = piece->triangle_count,
+                    .triangles = piece->triangles};
+    kg_style style = kg_style_default(color);
+    style.back = color;
+    s.positions = calloc(piece->vertex_count + 1, sizeof *s.positions);
+    s.normals = calloc(piece->vertex_count + 1, sizeof *s.normals);
+    for (size_t i = 0; s.positions && s.normals && i < piece->vertex_count; i++) {
+        s.positions[i] = piece->vertices[i].position;
+        s.normals[i] = piece->vertices[i].normal;
+    }
+    if (s.positions && s.normals)
+        kg_overlay_surface(o, &s, style);
+    free(s.positions);
+    free(s.normals);
+}
+
+static void draw(const kg_editor *e, kg_overlay *overlay) {
+    const state *s = e->tool_state;
+    const kg_patch_surface *surface = kg_surfaces_find(&e->surfaces, s->patch);
+    const kg_trim_op *op = last_trim(e, s->patch);
+    if (surface && s->under.patch && s->under.piece < surface->piece_count)
+        draw_piece(&surface->pieces[s->under.piece], (kg_color){1, 0.85F, 0.2F, 1}, overlay);
+    if (op) {
+        kg_style dot = kg_style_default((kg_color){1, 1, 1, 1});
+        dot.size_px = 10;
+        dot.hidden = 0.6F;
+        kg_overlay_points(overlay, op->keep, op->keep_count, dot);
+    }
+}
+
+kg_status kg_tool_start_pieces(kg_editor *e, int64_t patch, kg_error *error) {
+    state *s = calloc(1, sizeof *s);
+    if (!s) {
+        kg_editor_cancel(e);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    s->patch = patch;
+    /* the tool before ends without taking back the step that is open for this one */
+    kg_model *before = e->before;
+    e->before = NULL;
+    kg_editor_use(e, &kg_tool_pieces, s);
+    e->before = before;
+    hover(e, s, e->pointer);
+    return KG_OK;
+}
+
+const kg_tool kg_tool_pieces = {
+    "pieces",
+    N_("Choose what stays"),
+    N_("Click the piece that stays   Shift+click: several   Enter: all pieces   Esc: no trim"),
+    on_event,
+    draw,
+    NULL,
+    NULL,
+};

@@ -1,0 +1,243 @@
+/*
+ * Selecting, and dragging control points and extents: what the mouse does when no other tool is in
+ * use.
+ */
+#include "app/text.h"
+#include "app/tools/drag.h"
+#include "app/tools/tool.h"
+#include "base/array.h"
+
+#include <stdlib.h>
+
+enum { GRAB_DISTANCE = 9, MOST_HITS = 32 }; /* layout units; patches behind one another */
+
+typedef enum gesture { IDLE, PRESSED, DRAGGING_POINTS, DRAGGING_EXTENT, BOXING } gesture;
+
+typedef struct state {
+    gesture gesture;
+    kg_vec2 pressed;
+    bool on_patch; /* the press was over one */
+    kg_point_drag drag;
+    kg_extent_drag extent;
+    kg_vec2 cycled_at; /* where the last click was, to reach what lies behind */
+    size_t depth;
+} state;
+
+static state *state_of(kg_editor *e) {
+    if (!e->tool_state)
+        e->tool_state = calloc(1, sizeof(state));
+    return e->tool_state;
+}
+
+/* ---- what lies under the pointer --------------------------------------------------------- */
+
+static kg_point_ref point_under(const kg_editor *e, kg_vec2 px) {
+    const kg_model *m = kg_editor_model(e);
+    kg_point_ref best = {0};
+    double nearest = GRAB_DISTANCE * e->pane.scale;
+    for (size_t i = 0; i < m->patch_count; i++) {
+        const kg_model_patch *p = &m->patches[i];
+        for (size_t k = 0; kg_editor_shows_points(e, p->id) && k < p->input.point_count; k++) {
+            kg_vec2 at;
+            if (!kg_pane_project(&e->pane, p->input.points[k], &at) || kg_dist2(at, px) >= nearest)
+                continue;
+            nearest = kg_dist2(at, px);
+            best = (kg_point_ref){p->id, k};
+        }
+    }
+    return best;
+}
+
+static void hover(kg_editor *e, kg_vec2 px) {
+    kg_hit hit;
+    e->hover_point = point_under(e, px);
+    e->hover_patch = !e->hover_point.patch && kg_editor_hits(e, px, &hit, 1) > 0 ? hit.patch : 0;
+}
+
+/* ---- clicks ----------------------------------------------------------------------------- */
+
+/* The patch under the pointer; clicking again at the same place goes one deeper. */
+static void click(kg_editor *e, state *s, kg_vec2 px, bool toggle) {
+    kg_hit hits[MOST_HITS];
+    size_t count = kg_editor_hits(e, px, hits, MOST_HITS);
+    if (count == 0) {
+        if (!toggle)
+            kg_editor_select_none(e);
+        return;
+    }
+    bool again = !toggle && kg_dist2(px, s->cycled_at) < KG_CLICK_DISTANCE * e->pane.scale;
+    s->depth = again ? (s->depth + 1) % count : 0;
+    s->cycled_at = px;
+    kg_editor_select(e, hits[s->depth].patch, toggle);
+}
+
+static bool in_box(kg_vec2 a, kg_vec2 b, kg_vec2 p) {
+    return p.x >= fmin(a.x, b.x) && p.x <= fmax(a.x, b.x) && p.y >= fmin(a.y, b.y) &&
+           p.y <= fmax(a.y, b.y);
+}
+
+/* Points of the selected patches, at that level; else patches whose geodesic begins, ends or has
+ * its middle in the box. */
+static void select_box(kg_editor *e, kg_vec2 a, kg_vec2 b, bool add) {
+    const kg_model *m = kg_editor_model(e);
+    kg_vec2 at;
+    bool points = e->level == KG_LEVEL_POINTS && e->selection.patches.count > 0;
+    if (!add && points)
+        e->selection.points.count = 0;
+    else if (!add)
+        kg_editor_select_none(e);
+    for (size_t i = 0; i < m->patch_count; i++) {
+        const kg_model_patch *p = &m->patches[i];
+        const kg_solved_patch *s = kg_solution_patch(kg_editor_solution(e), i);
+        bool inside = false;
+        for (int k = 0; k <= 2 && !p->hidden && s->prepared; k++)
+            inside =
+                inside || (kg_pane_project(&e->pane, kg_patch_point(&s->patch, 0, 0.5 * k), &at) &&
+                           in_box(a, b, at));
+        if (!points && inside && !kg_editor_is_selected(e, p->id))
+            kg_editor_select(e, p->id, true);
+        for (size_t k = 0; points && kg_editor_shows_points(e, p->id) && k < p->input.point_count;
+             k++)
+            if (kg_pane_project(&e->pane, p->input.points[k], &at) && in_box(a, b, at) &&
+                !kg_editor_is_point_selected(e, (kg_point_ref){p->id, k}))
+                kg_editor_select_point(e, (kg_point_ref){p->id, k}, true);
+    }
+}
+
+/* ---- gestures --------------------------------------------------------------------------- */
+
+static void press(kg_editor *e, state *s, const kg_event *event) {
+    bool toggle = event->mods & KG_MOD_SHIFT;
+    s->pressed = event->position;
+    s->gesture = PRESSED;
+    hover(e, event->position);
+    s->on_patch = e->hover_patch != 0;
+    if (kg_extent_drag_start(&s->extent, e, event->position)) {
+        s->gesture = DRAGGING_EXTENT;
+    } else if (e->hover_point.patch) {
+        if (toggle || !kg_editor_is_point_selected(e, e->hover_point))
+            kg_editor_select_point(e, e->hover_point, toggle);
+        kg_error error;
+        if (kg_point_drag_start(&s->drag, e, e->hover_point, event->position, &error))
+            kg_editor_say(e, KG_FAULT, "%s", error.message);
+        else
+            s->gesture = DRAGGING_POINTS;
+    }
+}
+
+static void move(kg_editor *e, state *s, const kg_event *event) {
+    switch (s->gesture) {
+    case IDLE:
+        hover(e, event->position);
+        kg_extent_drag_hover(e, event->position);
+        break;
+    case PRESSED:
+        if (kg_dist2(event->position, s->pressed) >= KG_CLICK_DISTANCE * e->pane.scale)
+            s->gesture = BOXING;
+        break;
+    case DRAGGING_POINTS:
+        kg_point_drag_move(&s->drag, e, event->position, event->mods);
+        break;
+    case DRAGGING_EXTENT:
+        kg_extent_drag_move(&s->extent, e, event->position, event->mods);
+        break;
+    case BOXING:
+        break;
+    }
+}
+
+static void release(kg_editor *e, state *s, const kg_event *event) {
+    bool toggle = event->mods & KG_MOD_SHIFT;
+    gesture ended = s->gesture;
+    s->gesture = IDLE;
+    switch (ended) {
+    case PRESSED:
+        click(e, s, event->position, toggle);
+        break;
+    case BOXING:
+        select_box(e, s->pressed, event->position, toggle);
+        break;
+    case DRAGGING_POINTS:
+    case DRAGGING_EXTENT:
+        kg_editor_commit(e);
+        break;
+    case IDLE:
+        break;
+    }
+    hover(e, event->position);
+}
+
+static bool on_event(kg_editor *e, const kg_event *event) {
+    state *s = state_of(e);
+    if (!s)
+        return false;
+    switch (event->type) {
+    case KG_EVENT_PRESS:
+        if (event->button != KG_MOUSE_LEFT || s->gesture != IDLE)
+            return false;
+        e->message[0] = '\0';
+        press(e, s, event);
+        return true;
+    case KG_EVENT_MOVE:
+        move(e, s, event);
+        return true;
+    case KG_EVENT_RELEASE:
+        if (event->button != KG_MOUSE_LEFT || s->gesture == IDLE)
+            return false;
+        release(e, s, event);
+        return true;
+    case KG_EVENT_KEY:
+        if (event->key == KG_KEY_ESCAPE && s->gesture == IDLE && !e->message[0]) {
+            kg_editor_select_none(e);
+            return true;
+        }
+        if (event->key == KG_KEY_ESCAPE)
+            e->message[0] = '\0';
+        return s->gesture != IDLE && event->key != KG_KEY_ESCAPE; /* one thing at a time */
+    default:
+        return false;
+    }
+}
+
+static void draw(const kg_editor *e, kg_overlay *overlay) {
+    const state *s = e->tool_state;
+    kg_extent_drag_draw(e, overlay);
+    if (!s)
+        return;
+    if (s->gesture == DRAGGING_POINTS || s->gesture == DRAGGING_EXTENT)
+        kg_legal_band_draw(e, overlay);
+}
+
+bool kg_select_box_now(const kg_editor *e, kg_vec2 *out_from) {
+    const state *s = e->tool == &kg_tool_select ? e->tool_state : NULL;
+    if (!s || s->gesture != BOXING)
+        return false;
+    *out_from = s->pressed;
+    return true;
+}
+
+static const char *hint_now(const kg_editor *e) {
+    const state *s = e->tool_state;
+    if (s && s->gesture == DRAGGING_POINTS)
+        return _("The point slides on the reference   Alt: screen plane   Ctrl: steps   Shift: "
+                 "fine   Esc: back");
+    if (kg_editor_model(e)->patch_count == 0)
+        return _("A: place a patch by four clicks   File › Reference…: a mesh to sculpt over");
+    if (e->selection.patches.count > 1)
+        return _(
+            "T: the red patch is trimmed by the blue one   Shift+T: trim inside   Shift+click: "
+            "more");
+    return NULL;
+}
+
+const kg_tool kg_tool_select = {
+    "select",
+    N_("Select"),
+    N_("Click: select   Shift+click: add   Drag a point: move it   Right drag: turn   Wheel: zoom  "
+       " "
+       "Ctrl+P: commands"),
+    on_event,
+    draw,
+    hint_now,
+    NULL,
+};
