@@ -55,9 +55,6 @@ static kg_status compute(const kg_pair_side *lo, const kg_pair_side *hi, double 
         status = copy_crossings(&pair->seen[0], &pair->seen[1]);
     if (status) {
         destroy_pair(pair);
-        if (status == KG_ERR_INPUT)
-            return kg_fail_in(error, status, "patches %lld and %lld: ", (long long)lo->id,
-                              (long long)hi->id);
         return status;
     }
     kg_crossings_swap(&pair->seen[1]);

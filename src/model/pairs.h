@@ -27,7 +27,7 @@ typedef struct kg_pairs {
 } kg_pairs;
 
 /* The crossings with sides[0] as A: from `pairs`, else computed and kept there, where they live as
- * long as `pairs`. KG_ERR_INPUT names the pair. */
+ * long as `pairs`. */
 kg_status kg_pairs_find(kg_pairs *pairs, const kg_pair_side sides[2], double tolerance,
                         const kg_crossings **out_crossings, kg_error *error) KG_CHECKED;
 

@@ -123,12 +123,15 @@ static kg_status prepare(kg_solution *s, size_t i) {
 
 static kg_status solve_patch(kg_solution *s, size_t i);
 
-/* The crossings of two patches with the first as A; faults name the pair. */
+/* The crossings of two patches with the first as A; faults name the second. */
 static kg_status crossings_of(kg_solution *s, size_t a, size_t b, const kg_crossings **out,
                               kg_error *error) {
     kg_pair_side sides[2] = {{s->patches[a].id, s->inputs[a], &s->patches[a].patch},
                              {s->patches[b].id, s->inputs[b], &s->patches[b].patch}};
-    return kg_pairs_find(&s->pairs, sides, s->tolerance, out, error);
+    kg_status status = kg_pairs_find(&s->pairs, sides, s->tolerance, out, error);
+    if (status == KG_ERR_INPUT)
+        kg_fail_in(error, status, "and patch %lld: ", (long long)s->patches[b].id);
+    return status;
 }
 
 /* A cut of patch i by the patch with this id. */
