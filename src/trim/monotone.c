@@ -53,7 +53,7 @@ static bool is_above(const kg_vec2 *points, int i, int j) {
     return compare_points(&p, &q) > 0;
 }
 
-/* Twice the area of a triangle on paper. */
+/* Twice the area of a triangle. */
 static double turn(const kg_vec2 *points, int a, int b, int c) {
     return kg_cross2(kg_sub2(points[b], points[a]), kg_sub2(points[c], points[a]));
 }
@@ -76,7 +76,7 @@ static int add_diagonal(sweep *s, int a, int b) {
 enum { MAX_TOUCHING = 32 };
 
 static double direction(const sweep *s, int from, int to) {
-    kg_vec2 d = kg_sub2(s->paper[to], s->paper[from]);
+    kg_vec2 d = kg_sub2(s->points[to], s->points[from]);
     return atan2(d.y, d.x);
 }
 
@@ -163,7 +163,7 @@ static kg_status begin_at(sweep *s, int v) {
     const corner *c = &s->corners[v];
     int left = c->prev, right = c->next;
     interval fresh = {left, right, v, false};
-    if (turn(s->paper, s->corners[left].point, c->point, s->corners[right].point) <= 0) {
+    if (turn(s->points, s->corners[left].point, c->point, s->corners[right].point) <= 0) {
         int i = interval_around(s, s->points[c->point]);
         if (i == NONE)
             return KG_ERR_INPUT;
