@@ -1,0 +1,101 @@
+"""`katagami net --guide`: the files it leaves. usage: test_command.py KATAGAMI"""
+
+import contextlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import script  # noqa: E402
+
+PROGRAM = str(pathlib.Path(sys.argv[1]).resolve())
+
+# A wall glued on the ground: cover, a page of parts with the first step, one with the second.
+MODEL = {"katagami": 1, "kind": "patches", "title": "部屋", "patches": [
+    {"id": 1, "name": "床", "points": [[0, 0, 0], [30, 0, 0], [70, 0, 0], [100, 0, 0]],
+     "extent": [-50, 50], "ruling": [0, 1, 0]},
+    {"id": 2, "name": "壁 wall", "points": [[50, 0, -20], [50, 0, 0], [50, 0, 30], [50, 0, 60]],
+     "extent": [-30, 30], "ruling": [0, 1, 0], "trims": [{"by": [1], "keep": [[50, 0, 40]]}]}]}
+
+
+@contextlib.contextmanager
+def folder():
+    with tempfile.TemporaryDirectory() as name:
+        before = os.getcwd()
+        os.chdir(name)
+        try:
+            pathlib.Path("m.katagami").write_text(json.dumps(MODEL), encoding="utf-8")
+            yield
+        finally:
+            os.chdir(before)
+
+
+def net(*words, **environment):
+    return subprocess.run([PROGRAM, "net", "m.katagami", *words], capture_output=True, text=True,
+                          check=False, env={**os.environ, **environment})
+
+
+def write_guide(path):
+    done = net("-o", "net.svg", "--guide", path)
+    if done.returncode == 1 and "EGL" in done.stderr:
+        raise script.Skip("this machine cannot draw")
+    assert done.returncode == 0, done
+
+
+def test_a_guide_lies_beside_an_unchanged_net():
+    with folder():
+        write_guide("guide.pdf")
+        data = pathlib.Path("guide.pdf").read_bytes()
+        assert data.startswith(b"%PDF") and b"CreationDate" not in data
+        with_guide = pathlib.Path("net.svg").read_bytes()
+        assert net("-o", "net.svg").returncode == 0
+        assert pathlib.Path("net.svg").read_bytes() == with_guide
+
+
+def test_a_guide_names_parts_and_joins_as_the_net_does():
+    with folder():
+        write_guide("guide.pdf")
+        try:
+            text = subprocess.run(["pdftotext", "-layout", "guide.pdf", "-"], capture_output=True,
+                                  text=True, check=True).stdout
+        except FileNotFoundError:
+            raise script.Skip("no pdftotext") from None
+        assert "部屋" in text
+        assert "Step 1 · Begin with part 1 (床)" in text
+        assert "Step 2 · Attach part 2 (壁 wall)" in text
+        line = re.search(r"1\s+Edge of part 2 \(壁 wall\) onto the mark on part 1 \(床\), 60 mm", text)
+        assert line, text
+
+
+def test_without_drawing_nothing_is_written():
+    with folder():
+        done = net("-o", "net.svg", "--guide", "guide.pdf", "--json", "report.json",
+                   __EGL_VENDOR_LIBRARY_FILENAMES="/nonexistent")
+        assert done.returncode == 1 and "EGL" in done.stderr, done
+        assert sorted(os.listdir()) == ["m.katagami"]
+
+
+def test_a_net_that_cannot_be_written_leaves_no_guide():
+    with folder():
+        done = net("-o", "missing/net.svg", "--guide", "guide.pdf")
+        assert done.returncode == 1, done
+        assert sorted(os.listdir()) == ["m.katagami"]
+
+
+def test_a_guide_that_cannot_be_written_leaves_no_net():
+    with folder():
+        done = net("-o", "net.svg", "--guide", "missing/guide.pdf")
+        assert done.returncode == 1 and "missing/guide.pdf" in done.stderr, done
+        assert sorted(os.listdir()) == ["m.katagami"]
+
+
+def test_standard_output_is_no_place_for_a_guide():
+    with folder():
+        assert net("-o", "net.svg", "--guide", "-").returncode == 2
+
+
+sys.exit(script.run(dict(globals())))
