@@ -27,6 +27,11 @@ typedef struct kg_unrolled {
  * KG_ERR_MEMORY only: check the solution first. */
 KG_API kg_status kg_unroll(const kg_model *model, const kg_solution *solution,
                            kg_unrolled **out_unrolled, kg_error *error) KG_CHECKED;
+/* The same with parts larger than `room` (mm, in any turn; (0,0): no limit) cut in two along a
+ * short ruling, joined by a seam, as often as needed. A part that rulings cannot make small enough
+ * stays as large as it is. */
+KG_API kg_status kg_unroll_to_fit(const kg_model *model, const kg_solution *solution, kg_vec2 room,
+                                  kg_unrolled **out_unrolled, kg_error *error) KG_CHECKED;
 KG_API void kg_unrolled_destroy(kg_unrolled *unrolled);
 
 #ifdef __cplusplus

@@ -223,7 +223,7 @@ static kg_status fill(const kg_pieces *pieces, const int *parts, kg_assembly *ou
     return status ? status : add_joins(pieces, out);
 }
 
-kg_status kg_assembly_create(const kg_document *document, const kg_net *net,
+kg_status kg_assembly_create(const kg_document *document, const kg_net *net, kg_vec2 room,
                              kg_assembly **out_assembly, kg_error *error) {
     kg_pieces pieces = {0};
     int *parts = NULL, *parent = NULL;
@@ -234,7 +234,7 @@ kg_status kg_assembly_create(const kg_document *document, const kg_net *net,
         out->parts = calloc(net->part_count + 1, sizeof *out->parts);
         out->joins = calloc(net->join_count + 1, sizeof *out->joins);
         if (out->parts && out->joins)
-            status = kg_pieces_create(document->model, document->solution, &pieces);
+            status = kg_pieces_create(document->model, document->solution, room, &pieces);
     }
     if (!status)
         status = kg_pieces_find_stretches(&pieces);

@@ -36,7 +36,7 @@ typedef struct kg_assembly {
 } kg_assembly;
 
 /* Works out where the parts of the document's net are. KG_ERR_MEMORY. */
-kg_status kg_assembly_create(const kg_document *document, const kg_net *net,
+kg_status kg_assembly_create(const kg_document *document, const kg_net *net, kg_vec2 room,
                              kg_assembly **out_assembly, kg_error *error) KG_CHECKED;
 void kg_assembly_destroy(kg_assembly *assembly);
 

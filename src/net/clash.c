@@ -3,7 +3,9 @@
 #include "net/nest_exact.h"
 #include "net/shapes.h"
 #include "net/sheet.h"
+#include "net/tab_place.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static kg_status place_all(kg_nest_exact *exact, const kg_net_layout *layout, kg_vec2 origin) {
@@ -58,5 +60,46 @@ kg_status kg_net_clashes(const kg_net *net, const kg_net_layout *layout,
             kg_fail(error, status, "out of memory while looking for overlaps");
     }
     kg_shapes_clear(&shapes);
+    return status;
+}
+
+/* A contour that tabs make cross itself is no polygon any more. */
+static kg_status crossing_contours(const kg_net *net, int *out_count) {
+    GEOSContextHandle_t geos = GEOS_init_r();
+    int count = 0;
+    if (!geos)
+        return KG_ERR_MEMORY;
+    for (size_t i = 0; i < net->part_count; i++) {
+        const kg_net_part *p = &net->parts[i];
+        kg_net_line *contours = calloc(p->loop_count, sizeof *contours);
+        if (!contours) {
+            GEOS_finish_r(geos);
+            return KG_ERR_MEMORY;
+        }
+        for (size_t k = 0; k < p->loop_count; k++)
+            contours[k] = p->loops[k].line;
+        kg_vec2 at;
+        count += !kg_tab_contours_valid(geos, contours, p->loop_count, &at);
+        free(contours);
+    }
+    GEOS_finish_r(geos);
+    *out_count = count;
+    return KG_OK;
+}
+
+kg_status kg_net_tab_overlaps(const kg_net *net, const kg_net_layout *layout,
+                              const kg_net_options *options, int *out_count, kg_error *error) {
+    int count = 0;
+    unsigned *clashes = calloc(net->part_count + 1, sizeof *clashes);
+    kg_status status = clashes ? crossing_contours(net, &count) : KG_ERR_MEMORY;
+    if (!status && count == 0) /* what is no polygon cannot be laid on others */
+        status = kg_net_clashes(net, layout, options, clashes, error);
+    else if (status)
+        kg_fail(error, status, "out of memory while looking for overlaps");
+    for (size_t i = 0; i < net->part_count && !status; i++)
+        count += (clashes[i] & KG_CLASH_OVERLAP) != 0;
+    free(clashes);
+    if (!status)
+        *out_count = count;
     return status;
 }

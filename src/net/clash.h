@@ -15,4 +15,10 @@ kg_status kg_net_clashes(const kg_net *net, const kg_net_layout *layout,
                          const kg_net_options *options, unsigned *out_clashes,
                          kg_error *error) KG_CHECKED;
 
+/* How many parts have tabs that lie on the part itself, on each other or on another part, found
+ * anew from the finished contours. Errors: as kg_net_clashes. */
+kg_status kg_net_tab_overlaps(const kg_net *net, const kg_net_layout *layout,
+                              const kg_net_options *options, int *out_count,
+                              kg_error *error) KG_CHECKED;
+
 #endif

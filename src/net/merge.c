@@ -11,6 +11,8 @@
 #define FLAT 0.0174533
 /* Parts may touch along the seam and by rounding, mm², but not overlap. */
 #define OVERLAP 0.01
+/* Bytes: a merged part carries both names while they fit on it, then the first alone. */
+enum { LONGEST_NAME = 24 };
 
 static kg_net_line *outer(const kg_net *net, int part) {
     return &net->parts[part].loops[0].line;
@@ -248,9 +250,10 @@ static kg_status merge_seam(kg_net *net, size_t index, double **bends) {
     /* nothing can fail from here on */
     follow(net, &seam, a->loop_count, a->line_count);
     strcpy(name, a->name);
-    if (a->name[0] && b->name[0])
-        strcat(name, " + ");
-    strcat(name, b->name);
+    if (b->name[0] && strlen(a->name) + strlen(b->name) <= LONGEST_NAME) {
+        strcat(name, a->name[0] ? " + " : "");
+        strcat(name, b->name);
+    }
     free(a->name);
     free(b->name);
     a->name = name;

@@ -6,7 +6,10 @@
 static kg_vec3 partner_normal(const kg_pieces *all, const kg_stretch *s, const kg_cross_point *at) {
     const kg_patch *b = kg_piece_patch(all, s->partner.piece);
     double u, v = at->t; /* (s, t) are the partner's where it made the cut */
-    if (all->items[s->partner.piece].patch->id != kg_piece_edge(all, s->edge)->source)
+    const kg_region_edge *e = kg_piece_edge(all, s->edge);
+    if (e->kind == KG_EDGE_SPLIT)
+        v = at->v;
+    else if (all->items[s->partner.piece].patch->id != e->source)
         kg_patch_closest(b, at->x, &u, &v);
     return kg_patch_normal(b, v);
 }

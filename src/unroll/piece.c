@@ -1,5 +1,7 @@
 #include "unroll/piece.h"
 
+#include "unroll/split.h"
+
 #include <stdlib.h>
 
 const kg_region_loop *kg_piece_loop(const kg_pieces *pieces, kg_edge_ref edge) {
@@ -180,28 +182,67 @@ static kg_status list_cuts(kg_pieces *pieces) {
     return KG_OK;
 }
 
-kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution, kg_pieces *out) {
-    kg_pieces pieces = {.solution = solution};
-    size_t patches = kg_solution_count(solution), n = 0;
+/* Cuts up a patch's regions that are too large for the room. */
+static kg_status cut_up(kg_pieces *pieces, const kg_solved_patch *p, kg_vec2 room) {
+    kg_trim trim = {&p->patch, kg_solution_finder(pieces->solution),
+                    kg_solution_tolerance(pieces->solution), NULL};
+    int64_t source = 1;
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < p->regions.count && !status; i++, pieces->region_count++)
+        if (room.x > 0 && p->valid && !p->construction)
+            status = kg_split_to_fit(&trim, &p->regions.items[i], room, &source,
+                                     &pieces->cut_up[pieces->region_count], NULL);
+    return status;
+}
+
+/* Lists a patch's pieces; `first` is the number of its first region. */
+static void add_pieces(kg_pieces *pieces, const kg_solved_patch *p, const kg_model_patch *model,
+                       size_t first) {
+    for (size_t k = 0; k < p->regions.count && p->valid && !p->construction; k++) {
+        const kg_regions *cut = &pieces->cut_up[first + k];
+        const kg_region *regions = cut->count ? cut->items : &p->regions.items[k];
+        for (size_t i = 0; i < (cut->count ? cut->count : 1); i++)
+            pieces->items[pieces->count++] = (kg_piece){p, model, &regions[i], 0};
+    }
+}
+
+static kg_status gather(kg_pieces *pieces, const kg_model *model, kg_vec2 room) {
+    size_t patches = kg_solution_count(pieces->solution), n = 0, first = 0;
     for (size_t i = 0; i < patches; i++)
-        n += kg_solution_patch(solution, i)->regions.count;
-    pieces.items = calloc(n + 1, sizeof *pieces.items);
-    pieces.first_of_patch = calloc(patches + 1, sizeof *pieces.first_of_patch);
-    if (!pieces.items || !pieces.first_of_patch) {
-        kg_pieces_clear(&pieces);
+        n += kg_solution_patch(pieces->solution, i)->regions.count;
+    pieces->cut_up = calloc(n + 1, sizeof *pieces->cut_up);
+    pieces->first_of_patch = calloc(patches + 1, sizeof *pieces->first_of_patch);
+    if (!pieces->cut_up || !pieces->first_of_patch)
         return KG_ERR_MEMORY;
-    }
+    for (size_t i = 0; i < patches; i++)
+        if (cut_up(pieces, kg_solution_patch(pieces->solution, i), room))
+            return KG_ERR_MEMORY;
+    for (size_t i = 0; i < pieces->region_count; i++)
+        n += pieces->cut_up[i].count;
+    pieces->items = calloc(n + 1, sizeof *pieces->items);
+    if (!pieces->items)
+        return KG_ERR_MEMORY;
     for (size_t i = 0; i < patches; i++) {
-        const kg_solved_patch *p = kg_solution_patch(solution, i);
-        pieces.first_of_patch[i] = pieces.count;
-        for (size_t k = 0; k < p->regions.count && p->valid && !p->construction; k++)
-            pieces.items[pieces.count++] =
-                (kg_piece){p, &model->patches[i], &p->regions.items[k], 0};
+        const kg_solved_patch *p = kg_solution_patch(pieces->solution, i);
+        pieces->first_of_patch[i] = pieces->count;
+        add_pieces(pieces, p, &model->patches[i], first);
+        first += p->regions.count;
     }
-    pieces.first_of_patch[patches] = pieces.count;
-    if (list_cuts(&pieces) || measure_edges(&pieces)) {
+    pieces->first_of_patch[patches] = pieces->count;
+    return KG_OK;
+}
+
+kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution, kg_vec2 room,
+                           kg_pieces *out) {
+    kg_pieces pieces = {.solution = solution};
+    kg_status status = gather(&pieces, model, room);
+    if (!status)
+        status = list_cuts(&pieces);
+    if (!status)
+        status = measure_edges(&pieces);
+    if (status) {
         kg_pieces_clear(&pieces);
-        return KG_ERR_MEMORY;
+        return status;
     }
     *out = pieces;
     return KG_OK;
@@ -210,6 +251,9 @@ kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution, k
 void kg_pieces_clear(kg_pieces *pieces) {
     free(pieces->items);
     free(pieces->first_of_patch);
+    for (size_t i = 0; i < pieces->region_count; i++)
+        kg_regions_clear(&pieces->cut_up[i]);
+    free(pieces->cut_up);
     free(pieces->cuts);
     free(pieces->sums);
     free(pieces->stretches);

@@ -39,10 +39,13 @@ typedef struct kg_pieces {
     kg_edge_ref *cuts; /* all cut edges, by source */
     size_t stretch_count, stretch_capacity;
     kg_stretch *stretches; /* by edge, then along it */
-    kg_measure *sums;      /* of every edge up to each of its points: all is measured once */
+    size_t region_count;
+    kg_regions *cut_up; /* for every region of the solution: what took its place, if anything */
+    kg_measure *sums;   /* of every edge up to each of its points: all is measured once */
 } kg_pieces;
 
-kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution,
+/* Regions larger than `room` (mm on paper; (0,0): no limit) are cut up along rulings. */
+kg_status kg_pieces_create(const kg_model *model, const kg_solution *solution, kg_vec2 room,
                            kg_pieces *out) KG_CHECKED;
 void kg_pieces_clear(kg_pieces *pieces);
 

@@ -235,6 +235,27 @@ static kg_status walk_edge(const walk *w) {
     return status;
 }
 
+/* The edge along a ruling where a large part was cut in two: its other side is on a piece of the
+ * same patch. */
+static kg_status join_halves(const walk *w) {
+    const kg_pieces *all = w->pieces;
+    const kg_region_edge *own = kg_piece_edge(all, w->edge);
+    size_t patch = (size_t)(all->items[w->edge.piece].patch - kg_solution_patch(all->solution, 0));
+    kg_vec3 start = kg_piece_point(all, w->edge, 0, NULL).x;
+    for (size_t i = all->first_of_patch[patch]; i < all->first_of_patch[patch + 1]; i++)
+        for (size_t k = 0; k < all->items[i].region->loop_count; k++)
+            for (size_t e = 0; e < all->items[i].region->loops[k].edge_count; e++) {
+                kg_edge_ref at = {i, k, e};
+                const kg_region_edge *other = kg_piece_edge(all, at);
+                if (other->kind == KG_EDGE_SPLIT && other->source == own->source &&
+                    !kg_same_edge(at, w->edge) &&
+                    kg_dist(kg_piece_point(all, at, (double)other->count, NULL).x, start) <=
+                        BLUR * kg_solution_tolerance(all->solution))
+                    return add_stretch(w, 0, (double)own->count, (place){SEAM, at});
+            }
+    return KG_OK;
+}
+
 /* ---- mating ----------------------------------------------------------------------------- */
 
 /* Points of a stretch at fractions k / MARKS of its length; lengths of chords do here. */
@@ -362,10 +383,14 @@ kg_status kg_pieces_find_stretches(kg_pieces *pieces) {
         for (size_t k = 0; k < pieces->items[i].region->loop_count; k++)
             for (size_t e = 0; e < pieces->items[i].region->loops[k].edge_count; e++) {
                 kg_edge_ref edge = {i, k, e};
-                if (status || kg_piece_edge(pieces, edge)->kind != KG_EDGE_CUT)
-                    continue;
-                walk w = start_walk(pieces, edge);
-                status = walk_edge(&w);
+                kg_edge_kind kind = kg_piece_edge(pieces, edge)->kind;
+                walk w = {.pieces = pieces, .edge = edge};
+                if (!status && kind == KG_EDGE_CUT) {
+                    w = start_walk(pieces, edge);
+                    status = walk_edge(&w);
+                } else if (!status && kind == KG_EDGE_SPLIT) {
+                    status = join_halves(&w);
+                }
             }
     if (!status)
         mate_stretches(pieces);

@@ -179,11 +179,16 @@ static kg_status add_join(const kg_model *model, const kg_pieces *all, size_t in
 
 kg_status kg_unroll(const kg_model *model, const kg_solution *solution, kg_unrolled **out_unrolled,
                     kg_error *error) {
+    return kg_unroll_to_fit(model, solution, kg_v2(0, 0), out_unrolled, error);
+}
+
+kg_status kg_unroll_to_fit(const kg_model *model, const kg_solution *solution, kg_vec2 room,
+                           kg_unrolled **out_unrolled, kg_error *error) {
     kg_pieces all = {0};
     kg_unrolled *out = calloc(1, sizeof *out);
     kg_status status = out && (out->net = kg_net_create()) ? KG_OK : KG_ERR_MEMORY;
     if (!status)
-        status = kg_pieces_create(model, solution, &all);
+        status = kg_pieces_create(model, solution, room, &all);
     if (!status)
         status = kg_pieces_find_stretches(&all);
     for (size_t i = 0; i < all.count && !status; i++)

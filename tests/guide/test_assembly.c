@@ -56,7 +56,7 @@ static void parts_and_joins_are_as_large_as_on_paper(void **state) {
         kg_document *document = box_document(trimmed);
         kg_net *net = net_of(document, false);
         kg_assembly *assembly;
-        assert_int_equal(kg_assembly_create(document, net, &assembly, NULL), KG_OK);
+        assert_int_equal(kg_assembly_create(document, net, kg_v2(0, 0), &assembly, NULL), KG_OK);
         assert_int_equal(net->part_count, 6);
         assert_int_equal(net->join_count, 12);
         assert_matches(assembly, net);
@@ -80,7 +80,7 @@ static void merged_parts_have_all_their_pieces(void **state) {
     kg_document *document = box_document(true);
     kg_net *net = net_of(document, true);
     kg_assembly *assembly;
-    assert_int_equal(kg_assembly_create(document, net, &assembly, NULL), KG_OK);
+    assert_int_equal(kg_assembly_create(document, net, kg_v2(0, 0), &assembly, NULL), KG_OK);
     size_t pieces = 0;
     for (size_t i = 0; i < net->part_count; i++)
         pieces += assembly->parts[i].piece_count;
@@ -105,7 +105,7 @@ static void bends_have_their_radius_and_side(void **state) {
         kg_document *document = solved_document(json);
         kg_net *net = net_of(document, false);
         kg_assembly *assembly;
-        assert_int_equal(kg_assembly_create(document, net, &assembly, NULL), KG_OK);
+        assert_int_equal(kg_assembly_create(document, net, kg_v2(0, 0), &assembly, NULL), KG_OK);
         const kg_assembly_part *part = &assembly->parts[0];
         bool outward = kg_dot(part->front, part->centre) > 0;
         assert_near(outward ? part->radius_out : part->radius_in, 40, 1);
