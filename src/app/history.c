@@ -144,86 +144,78 @@ kg_status kg_history_store(const kg_history *h, kg_model *now, kg_error *error) 
 
 /* ---- from the file ---------------------------------------------------------------------- */
 
-/* Puts the patches that the step left out, being those of the next state, into their places. */
-static bool complete(kg_model *state, const json_t *order, const kg_model *next) {
-    size_t count = json_array_size(order);
-    kg_model *rest = kg_model_copy(next);
-    kg_model_patch *patches = calloc(count + 1, sizeof *patches);
-    bool ok = rest && patches;
-    size_t done = 0;
-    for (; done < count && ok; done++) {
-        int64_t id = json_integer_value(json_array_get(order, done));
-        kg_model_patch *p = kg_model_find(state, id);
-        if (!p)
-            p = kg_model_find(rest, id);
-        ok = p != NULL && p->name != NULL;
-        if (ok) {
-            patches[done] = *p;
-            *p = (kg_model_patch){.id = id}; /* taken: an id that comes twice finds nothing */
-        }
+/* The object of a patch in a model's tree. */
+static json_t *patch_in(const json_t *tree, json_int_t id) {
+    const json_t *patches = json_object_get(tree, "patches");
+    for (size_t i = 0; i < json_array_size(patches); i++) {
+        json_t *patch = json_array_get(patches, i);
+        if (json_integer_value(json_object_get(patch, "id")) == id)
+            return patch;
     }
-    if (ok) {
-        kg_model_patch *emptied = state->patches;
-        state->patches = patches;
-        state->patch_count = count;
-        free(emptied); /* each was in the order, or belongs to no state */
-    } else {
-        for (size_t i = 0; i + 1 < done; i++) /* back to where their owner frees them */
-            *(kg_model_find(state, patches[i].id) ? kg_model_find(state, patches[i].id)
-                                                  : kg_model_find(rest, patches[i].id)) =
-                patches[i];
-        free(patches);
-    }
-    kg_model_destroy(rest);
-    return ok;
+    return NULL;
 }
 
-static kg_model *read_state(const json_t *step, const kg_model *next) {
-    char *text = json_dumps(json_object_get(step, "model"), JSON_COMPACT);
-    kg_model *state = NULL;
-    if (!text || kg_model_read_memory(text, strlen(text), "history", &state, NULL))
-        state = NULL;
+/* The whole tree of a step: the patches that it left out are those of the next state. NULL: one is
+ * in neither, or memory ran out. */
+static json_t *complete(const json_t *step, const json_t *next) {
+    const json_t *part = json_object_get(step, "model"), *order = json_object_get(step, "order");
+    json_t *whole = json_copy((json_t *)(uintptr_t)part), *patches = json_array();
+    bool ok = whole && patches;
+    for (size_t i = 0; i < json_array_size(order) && ok; i++) {
+        json_int_t id = json_integer_value(json_array_get(order, i));
+        json_t *patch = patch_in(part, id);
+        ok = json_array_append(patches, patch ? patch : patch_in(next, id)) == 0;
+    }
+    ok = ok && json_object_set(whole, "patches", patches) == 0;
+    json_decref(patches);
+    if (ok)
+        return whole;
+    json_decref(whole);
+    return NULL;
+}
+
+static kg_model *model_of(const json_t *tree, const kg_model *now) {
+    kg_model *model = NULL;
+    char *text = json_dumps(tree, JSON_COMPACT);
+    if (!text || kg_model_read_memory(text, strlen(text), "history", &model, NULL))
+        model = NULL;
     free(text);
-    const json_t *order = json_object_get(step, "order");
-    bool listed = true;
-    for (size_t i = 0; state && i < state->patch_count; i++) {
-        bool found = false;
-        for (size_t k = 0; k < json_array_size(order); k++)
-            found = found || json_integer_value(json_array_get(order, k)) == state->patches[i].id;
-        listed = listed && found;
+    if (model) { /* keys of the whole file belong to no step */
+        json_decref(model->json);
+        model->json = json_incref(now->json);
     }
-    if (state && (!listed || !complete(state, order, next))) {
-        kg_model_destroy(state);
-        state = NULL;
-    }
-    if (state) { /* keys of the whole file belong to no step */
-        json_decref(state->json);
-        state->json = json_incref(next->json);
-    }
-    return state;
+    return model;
 }
 
+static void reverse(kg_steps *steps) {
+    for (size_t i = 0; i < steps->count / 2; i++) {
+        kg_step held = steps->items[i];
+        steps->items[i] = steps->items[steps->count - 1 - i];
+        steps->items[steps->count - 1 - i] = held;
+    }
+}
+
+/* From the newest, which follows from the model itself, as far back as can be understood. */
 static void read_steps(const json_t *list, const kg_model *now, uint64_t *next_state,
                        kg_steps *out) {
-    size_t count = json_array_size(list);
-    const kg_model *next = now;
-    kg_steps newest_first = {0};
-    for (size_t i = count; i-- > 0;) {
+    json_t *next = tree_of(now);
+    kg_steps steps = {0};
+    for (size_t i = json_array_size(list); i-- > 0 && next;) {
         const json_t *entry = json_array_get(list, i);
         const char *label = json_string_value(json_object_get(entry, "label"));
-        kg_step step = {read_state(entry, next), strdup(label ? label : ""), (*next_state)++};
-        if (!step.model || !step.label || !kg_push(&newest_first, step)) {
+        json_t *tree = complete(entry, next);
+        kg_step step = {tree ? model_of(tree, now) : NULL, strdup(label ? label : ""),
+                        (*next_state)++};
+        json_decref(next);
+        next = tree;
+        if (!step.model || !step.label || !kg_push(&steps, step)) {
             clear_step(&step);
             break;
         }
-        next = step.model;
     }
-    for (size_t i = 0; i < newest_first.count / 2; i++) {
-        kg_step held = newest_first.items[i];
-        newest_first.items[i] = newest_first.items[newest_first.count - 1 - i];
-        newest_first.items[newest_first.count - 1 - i] = held;
-    }
-    *out = newest_first;
+    json_decref(next);
+    reverse(&steps);
+    *out = steps;
 }
 
 void kg_history_restore(kg_model *now, uint64_t *next_state, kg_history *out_history) {

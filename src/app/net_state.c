@@ -213,10 +213,9 @@ static void finish(kg_net_state *s) {
 
 bool kg_net_state_follow(kg_net_state *s, const kg_editor *e) {
     uint64_t before = s->revision;
-    bool gesture = e->before != NULL;
     if (s->job && atomic_load(&s->job->done))
         finish(s);
-    bool current = s->number == e->solved && s->rough == gesture;
+    bool current = s->number == e->solved && (!s->rough || e->before);
     if (!current && s->job)
         atomic_store(&s->job->superseded, true);
     else if (!current)

@@ -1,5 +1,6 @@
 """Exit codes and streams of the program. usage: test_usage.py KATAGAMI"""
 
+import os
 import pathlib
 import re
 import subprocess
@@ -25,8 +26,8 @@ def test_help_goes_to_stdout():
     assert (done.returncode, done.stderr) == (0, "") and "usage:" in done.stdout, done
 
 
-def test_no_command_is_wrong_usage():
-    done = katagami()
+def test_without_a_display_no_command_is_wrong_usage():
+    done = katagami(env={k: v for k, v in os.environ.items() if not k.endswith("DISPLAY")})
     assert (done.returncode, done.stdout) == (2, "") and "usage:" in done.stderr, done
 
 

@@ -1,0 +1,22 @@
+"""Runs a script of the app off-screen. usage: run_script.py KATAGAMI SCRIPT.txt
+
+The script finds a folder of its own in $TMP, models of the tests in $HERE. Its user has no
+preferences. Leaves with 77, "skipped", where the machine cannot draw.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+program, script = sys.argv[1], pathlib.Path(sys.argv[2])
+
+with tempfile.TemporaryDirectory() as folder:
+    environment = dict(os.environ, TMP=folder, HERE=str(script.parent), HOME=folder, LANGUAGE="C",
+                       XDG_CONFIG_HOME=f"{folder}/config", XDG_STATE_HOME=f"{folder}/state")
+    done = subprocess.run([program, "edit", "--headless", "--script", script], check=False,
+                          capture_output=True, text=True, env=environment)
+    sys.stderr.write(done.stderr)
+    cannot_draw = done.returncode == 1 and ("EGL" in done.stderr or "OpenGL" in done.stderr)
+    sys.exit(77 if cannot_draw else done.returncode)
