@@ -35,7 +35,9 @@ typedef struct kg_assembly {
     kg_box3 box;
 } kg_assembly;
 
-/* Works out where the parts of the document's net are. KG_ERR_MEMORY. */
+/* Works out where the parts of the document's net are.
+ *   room  that the net was made for, as kg_document_net has it
+ * KG_ERR_MEMORY. */
 kg_status kg_assembly_create(const kg_document *document, const kg_net *net, kg_vec2 room,
                              kg_assembly **out_assembly, kg_error *error) KG_CHECKED;
 void kg_assembly_destroy(kg_assembly *assembly);

@@ -99,7 +99,7 @@ kg_status kg_guide_write(const kg_document *document, const kg_document_net *net
     kg_guide guide = {.net = net->net, .layout = layout, .options = options, .progress = progress};
     if (kg_document_get_kind(document) != KG_DOCUMENT_PATCHES)
         return kg_fail(error, KG_ERR_INPUT, "assembly guides are made for patch models only");
-    kg_status status = kg_assembly_create(document, guide.net, &guide.assembly, error);
+    kg_status status = kg_assembly_create(document, guide.net, net->room, &guide.assembly, error);
     if (!status)
         status = order_parts(&guide, error);
     if (!status)

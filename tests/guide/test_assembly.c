@@ -92,6 +92,29 @@ static void merged_parts_have_all_their_pieces(void **state) {
     kg_document_destroy(document);
 }
 
+static void halves_of_a_part_too_large_are_parts_of_their_own(void **state) {
+    (void)state;
+    const kg_vec2 room = {190, 277};
+    kg_document *document = solved_document(
+        "{\"katagami\":1,\"kind\":\"patches\",\"patches\":[{\"id\":1,\"points\":[[0,0,0],"
+        "[150,0,60],[250,0,60],[400,0,0]],\"extent\":[-40,40]}]}");
+    kg_unrolled *unrolled;
+    assert_int_equal(kg_unroll_to_fit(kg_document_model(document), kg_document_solution(document),
+                                      room, &unrolled, NULL),
+                     KG_OK);
+    kg_assembly *assembly;
+    assert_int_equal(kg_assembly_create(document, unrolled->net, room, &assembly, NULL), KG_OK);
+    assert_int_equal(unrolled->net->part_count, 2);
+    assert_int_equal(unrolled->net->join_count, 1);
+    assert_matches(assembly, unrolled->net);
+    /* each half lies on its own side of the seam */
+    double at = assembly->joins[0].points[0].x;
+    assert_true((assembly->parts[0].centre.x < at) != (assembly->parts[1].centre.x < at));
+    kg_assembly_destroy(assembly);
+    kg_unrolled_destroy(unrolled);
+    kg_document_destroy(document);
+}
+
 /* An arc with its front on the hollow or the bulging side. */
 static void bends_have_their_radius_and_side(void **state) {
     (void)state;
@@ -123,6 +146,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(parts_and_joins_are_as_large_as_on_paper),
         cmocka_unit_test(merged_parts_have_all_their_pieces),
+        cmocka_unit_test(halves_of_a_part_too_large_are_parts_of_their_own),
         cmocka_unit_test(bends_have_their_radius_and_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
