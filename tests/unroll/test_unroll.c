@@ -241,7 +241,7 @@ static void random_models_unroll_truly(void **state) {
     (void)state;
     kg_random r = {11};
     size_t seams = 0, contacts = 0;
-    for (int round = 0; round < 40; round++) {
+    for (int round = 0; round < 90; round++) {
         kg_model *model = random_model(&r, 6);
         /* let some cut each other both ways */
         for (size_t i = 0; i + 1 < model->patch_count; i++) {
