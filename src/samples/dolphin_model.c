@@ -393,7 +393,8 @@ static kg_status open_eye(sample_patch *flank, double side, kg_error *error) {
 }
 
 kg_status dolphin_model_build(sample_model *out_model, kg_error *error) {
-    sample_model model = {.title = "dolphin イルカ", .reference = "dolphin.obj"};
+    /* at this scale, 215 mm long, all parts fit one sheet of A4 */
+    sample_model model = {.title = "dolphin イルカ", .reference = "dolphin.obj", .scale = "0.86"};
     kg_status status = add_body(&model, error);
     if (status == KG_OK)
         status = add_beak(&model, error);

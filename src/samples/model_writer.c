@@ -159,8 +159,10 @@ bool sample_write(const sample_model *model, text *out) {
     if (model->reference)
         text_add(out, " \"reference\": {\"file\": \"%s\", \"visible\": true, \"opacity\": 0.4},\n",
                  model->reference);
-    text_add(out, " \"net\": {\"paper\": \"A4\", \"margin\": 8, \"scale\": 1, \"tab_width\": 5},\n"
-                  " \"patches\": [\n");
+    text_add(out,
+             " \"net\": {\"paper\": \"A4\", \"margin\": 8, \"scale\": %s, \"tab_width\": 5},\n"
+             " \"patches\": [\n",
+             model->scale ? model->scale : "1");
     for (size_t i = 0; i < model->count; i++) {
         write_patch(out, &model->patches[i]);
         text_add(out, i + 1 < model->count ? ",\n" : "\n");

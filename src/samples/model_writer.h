@@ -34,6 +34,7 @@ typedef struct sample_patch {
 
 typedef struct sample_model {
     const char *title, *reference; /* reference may be NULL */
+    const char *scale;             /* of the net; NULL: 1 */
     size_t count;
     sample_patch patches[SAMPLE_MAX_PATCHES];
 } sample_model;
