@@ -10,17 +10,18 @@
 #include "katagami/mesh.h"
 #include "katagami/model.h"
 #include "katagami/net.h"
+#include "katagami/oa.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* Chord errors, mm: of nets (a tenth of the finest writing tolerance in common use), and of
+/* Chord errors, mm: of nets (a fifth of the usual writing tolerance, as nets want it), and of
  * pictures and exported meshes, where a fiftieth of a millimetre cannot be seen. */
-#define KG_NET_CHORD 0.001
+#define KG_NET_CHORD 0.002
 #define KG_MESH_CHORD 0.02
 
-typedef enum kg_document_kind { KG_DOCUMENT_PATCHES } kg_document_kind;
+typedef enum kg_document_kind { KG_DOCUMENT_PATCHES, KG_DOCUMENT_OA } kg_document_kind;
 
 typedef struct kg_document kg_document;
 
@@ -32,6 +33,8 @@ KG_API kg_status kg_document_read(const char *path, kg_document **out_document,
 /* Takes over a model; `path` (may be NULL) is where its file lies or will lie. */
 KG_API kg_status kg_document_from_model(kg_model *model, const char *path,
                                         kg_document **out_document, kg_error *error) KG_CHECKED;
+KG_API kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_document,
+                                     kg_error *error) KG_CHECKED;
 KG_API void kg_document_destroy(kg_document *document);
 
 /* Writes the document's file, whole or not at all; from then on it lies there. A reference named
@@ -48,21 +51,39 @@ KG_API kg_document_kind kg_document_get_kind(const kg_document *document);
 KG_API const char *kg_document_title(const kg_document *document);
 /* The model of a patch document, else NULL. */
 KG_API kg_model *kg_document_model(kg_document *document);
+/* The card of a pop-up document, else NULL. */
+KG_API kg_oa *kg_document_oa(kg_document *document);
 
 /* Works out everything that follows from the model, with chord errors up to `chord` mm. Needed
  * before the calls below, and again after the model was changed; then only what changed is done
  * anew. Faults of the model are issues. KG_ERR_MEMORY. */
 KG_API kg_status kg_document_solve(kg_document *document, double chord, kg_error *error) KG_CHECKED;
 KG_API const kg_solution *kg_document_solution(const kg_document *document);
+/* What follows from a card; NULL for other documents. */
+KG_API const kg_oa_sheet *kg_document_sheet(const kg_document *document);
+KG_API const kg_oa_stability *kg_document_stability(const kg_document *document);
+
+/* How far a card stands open in meshes and exports: the angle between its sheets, in [0, π];
+ * standing (π/2) at first. Documents that do not fold take no notice. */
+KG_API void kg_document_set_open(kg_document *document, double angle);
 
 KG_API size_t kg_document_issue_count(const kg_document *document);
 KG_API const kg_issue *kg_document_issue(const kg_document *document, size_t index);
 /* KG_OK, or KG_ERR_INPUT with the first fault and the file's name. */
 KG_API kg_status kg_document_check(const kg_document *document, kg_error *error) KG_CHECKED;
 
+/* How a document becomes parts. */
+typedef struct kg_parts_options {
+    double tab_width; /* mm at scale 1; 0: without tabs */
+    kg_vec2 room;     /* page without margins, mm at scale 1; parts that are larger are cut in two as
+                         often as needed, none is merged beyond it. (0,0): no limit */
+    bool merge;       /* make one part of all neighbours that can be folded from one sheet */
+} kg_parts_options;
+
 /* A net with its remarks. */
 typedef struct kg_document_net {
     kg_net *net;
+    kg_vec2 room; /* it was made for */
     size_t tab_count;
     size_t remark_count;
     kg_net_warning *remarks; /* issues of the model and of the tabs; owned, with their messages */
@@ -70,9 +91,14 @@ typedef struct kg_document_net {
 
 /* The document's net at scale 1.
  *   tab_width  mm; 0: without tabs
- * KG_ERR_INPUT: the model has a fault. */
+ * KG_ERR_INPUT: the model has a fault. Faults of cards are remarks only: their nets can be drawn. */
 KG_API kg_status kg_document_unroll(const kg_document *document, double tab_width,
                                     kg_document_net *out_net, kg_error *error) KG_CHECKED;
+/* The same with all options: parts fit the room, neighbours that the model or the options want in
+ * one piece are merged. */
+KG_API kg_status kg_document_unroll_to_fit(const kg_document *document,
+                                           const kg_parts_options *options,
+                                           kg_document_net *out_net, kg_error *error) KG_CHECKED;
 KG_API void kg_document_net_clear(kg_document_net *net);
 
 /* Net options as the document asks for them. KG_ERR_INPUT: an unknown paper. */
@@ -80,10 +106,16 @@ KG_API kg_status kg_document_net_options(const kg_document *document, kg_net_opt
                                          double *out_tab_width, kg_error *error) KG_CHECKED;
 
 /* The surface: one group per patch in document order, fronts outward, colours of the palette given
- * by `color` (linear RGBA of group i; NULL: grey). Constructions are left out. */
+ * by `color` (linear RGBA of group i; NULL: grey). Constructions are left out. A card stands as
+ * kg_oa_pose puts it. */
 typedef void (*kg_group_color)(size_t group, float out_rgba[4]);
 KG_API kg_status kg_document_mesh(const kg_document *document, kg_group_color color,
                                   kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
+
+/* Writes the surface as kg_mesh_write does; a card as glTF with its folding as an animation, and
+ * with the ending .fold its crease pattern. */
+KG_API kg_status kg_document_export(const kg_document *document, const char *path,
+                                    kg_group_color color, kg_error *error) KG_CHECKED;
 
 /* The reference mesh in model coordinates; NULL when the document has none. */
 KG_API kg_status kg_document_reference(const kg_document *document, kg_mesh **out_mesh,

@@ -76,9 +76,10 @@ static void print_text(const findings *f, const char *name) {
     size_t count = kg_document_issue_count(f->document);
     for (size_t i = 0; i < kg_document_issue_count(f->document); i++) {
         const kg_issue *issue = kg_document_issue(f->document, i);
-        printf("%s: %s: patch %lld %s [%s]\n", name,
-               issue->severity == KG_FAULT ? "error" : "warning", (long long)issue->patch,
-               issue->message, issue->code);
+        printf("%s: %s: ", name, issue->severity == KG_FAULT ? "error" : "warning");
+        if (issue->patch > 0)
+            printf("patch %lld ", (long long)issue->patch);
+        printf("%s [%s]\n", issue->message, issue->code);
     }
     for (size_t i = 0; i < f->net.remark_count; i++)
         if (matters(&f->net.remarks[i])) {

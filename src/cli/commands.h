@@ -9,6 +9,7 @@ int kg_command_export(int argc, char **argv);
 int kg_command_info(int argc, char **argv);
 int kg_command_net(int argc, char **argv);
 int kg_command_new(int argc, char **argv);
+int kg_command_oa(int argc, char **argv);
 int kg_command_render(int argc, char **argv);
 
 #endif

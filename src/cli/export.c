@@ -5,7 +5,9 @@
 #include "katagami/render.h"
 
 static const kg_option options[] = {
-    {"output", 'o', true, "FILE", "mesh to write: .obj .ply .stl .off .gltf .glb; required"},
+    {"output", 'o', true, "FILE",
+     "mesh to write: .obj .ply .stl .off .gltf .glb, or .fold; required"},
+    {"open", 0, true, "DEG", "how far a card is open: 0 closed, 90 standing, 180 flat (90)"},
     {"tolerance", 0, true, "MM", "greatest chord error of the mesh (0.02)"},
 };
 
@@ -26,25 +28,21 @@ int kg_command_export(int argc, char **argv) {
     if (code >= 0)
         return code;
     const char *path = kg_arguments_get(&a, "output");
-    double tolerance = KG_MESH_CHORD;
+    double tolerance = KG_MESH_CHORD, open_deg = 90;
     if (a.count != 1 || !path)
         return kg_command_misuse("export", "a model and an output (-o) are wanted");
-    if (!kg_arguments_number(&a, "tolerance", 1e-4, 100, &tolerance))
+    if (!kg_arguments_number(&a, "tolerance", 1e-4, 100, &tolerance) ||
+        !kg_arguments_number(&a, "open", 0, 180, &open_deg))
         return KG_EXIT_USAGE;
     kg_error error;
     kg_document *document = NULL;
-    kg_mesh *mesh = NULL;
-    kg_mesh_format format;
-    kg_status status = kg_mesh_format_of(path, &format, &error);
-    if (!status)
-        status = kg_document_read(a.words[0], &document, &error);
+    kg_status status = kg_document_read(a.words[0], &document, &error);
     if (!status)
         status = kg_document_solve(document, tolerance, &error);
-    if (!status)
-        status = kg_document_mesh(document, patch_color, &mesh, &error);
-    if (!status)
-        status = kg_mesh_write(path, mesh, &error);
-    kg_mesh_destroy(mesh);
+    if (!status) {
+        kg_document_set_open(document, open_deg * acos(-1.0) / 180);
+        status = kg_document_export(document, path, patch_color, &error);
+    }
     kg_document_destroy(document);
     return status ? kg_command_fail("export", &error) : KG_EXIT_DONE;
 }

@@ -1,5 +1,6 @@
 /* katagami info: what is in a model, measured. */
 #include "base/json.h"
+#include "cli/card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/document.h"
@@ -37,13 +38,18 @@ static kg_status print_json(kg_document *d, kg_error *error) {
         return status;
     status = kg_net_report(net.net, NULL, net.remarks, net.remark_count, 0, &report, error);
     json_t *root = status ? NULL : json_loads(report, 0, NULL), *patches = json_array();
+    json_object_set_new(root, "title", json_string(kg_document_title(d)));
+    if (kg_document_oa(d)) {
+        json_t *card = status ? NULL : kg_card_json(d, error);
+        json_object_set_new(root, "card", card);
+        status = card || status ? status : error->status;
+    }
     const kg_solution *s = kg_document_solution(d);
-    for (size_t i = 0; i < kg_solution_count(s); i++)
+    for (size_t i = 0; s && i < kg_solution_count(s); i++)
         json_array_append_new(
             patches, patch_json(kg_solution_patch(s, i), kg_document_model(d)->patches[i].name));
-    json_object_set_new(root, "title", json_string(kg_document_title(d)));
     json_object_set_new(root, "patches", patches);
-    char *text = root ? kg_json_text(root) : NULL;
+    char *text = root && !status ? kg_json_text(root) : NULL;
     if (text)
         fputs(text, stdout);
     else if (!status)
@@ -60,6 +66,11 @@ static kg_status print_text(kg_document *d, kg_error *error) {
     kg_status status = kg_document_unroll(d, 0, &net, error);
     if (status)
         return status;
+    if (kg_document_oa(d)) {
+        status = kg_card_print(d, &net, error);
+        kg_document_net_clear(&net);
+        return status;
+    }
     const kg_solution *s = kg_document_solution(d);
     printf("%s: %zu patches, %zu parts, %zu joins, %zu warnings\n", kg_document_title(d),
            kg_solution_count(s), net.net->part_count, net.net->join_count, net.remark_count);

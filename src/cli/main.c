@@ -23,6 +23,7 @@ static const kg_command commands[] = {
     {"export", "the surface as a mesh: OBJ, PLY, STL, OFF, glTF or GLB", kg_command_export},
     {"render", "a picture as PNG", kg_command_render},
     {"apply", "the app's own edits, from a file", kg_command_apply},
+    {"oa", "a pop-up card of a mesh", kg_command_oa},
     {"help", "this text, or the help of a command: katagami help COMMAND", run_help},
     {"version", "the version", run_version},
 };

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/guide.h"
+#include "net/clash.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +14,11 @@ static const kg_option options[] = {
     {"paper", 0, true, "SIZE", "A4, A3, A2, letter, legal, WxH in mm, or none"},
     {"landscape", 0, false, NULL, "turn the paper on its side"},
     {"margin", 0, true, "MM", "kept free at every side of the page"},
+    {"rows", 0, false, NULL, "parts in rows instead of nested by their outlines (faster)"},
+    {"grain", 0, false, NULL, "turn no part by anything but half a turn: paper has a grain"},
+    {"merge", 0, false, NULL, "one part of all neighbours that can be folded from one sheet"},
+    {"no-split", 0, false, NULL,
+     "refuse parts larger than the page instead of cutting them in two"},
     {"gap", 0, true, "MM", "least distance between parts"},
     {"scale", 0, true, "F", "written size over the model's"},
     {"tabs", 0, true, "none|auto", "glue tabs (auto)"},
@@ -73,6 +79,8 @@ static int read_options(const kg_arguments *a, const kg_document *document, kg_n
             return kg_command_misuse("net", "--perforate is two lengths in mm, such as 2,0.5");
     }
     out->landscape = out->landscape || kg_arguments_get(a, "landscape");
+    out->nest = out->paper.x > 0 && !kg_arguments_get(a, "rows");
+    out->grain = out->grain || kg_arguments_get(a, "grain");
     out->separate = kg_arguments_get(a, "separate") != NULL;
     out->mirrored = kg_arguments_get(a, "mirrored") != NULL;
     double wished = *tab_width > 0 ? *tab_width : 5;
@@ -85,6 +93,19 @@ static int read_options(const kg_arguments *a, const kg_document *document, kg_n
     if (*tab_width > 0)
         *tab_width = wished;
     return -1;
+}
+
+/* What parts have to be at scale 1 so that they are as wished on the page. */
+static kg_parts_options parts_options(const kg_arguments *a, const kg_net_options *settings,
+                                      double tab_width) {
+    double rims = 2 * settings->margin;
+    bool endless = settings->paper.x <= 0 || kg_arguments_get(a, "no-split");
+    kg_vec2 room = endless ? kg_v2(0, 0)
+                           : kg_v2((settings->paper.x - rims) / settings->scale,
+                                   (settings->paper.y - rims) / settings->scale);
+    return (kg_parts_options){.tab_width = tab_width / settings->scale,
+                              .room = room,
+                              .merge = kg_arguments_get(a, "merge") != NULL};
 }
 
 /* The files to be written; those beside the net may be NULL. */
@@ -107,8 +128,12 @@ static kg_status write_files(const kg_document *document, const kg_document_net 
     kg_net_layout *layout = NULL;
     char *guide = NULL, *report = NULL, *json = NULL;
     kg_status status = kg_net_layout_create(net->net, settings, NULL, &layout, error);
+    int overlaps = 0;
     if (!status && out->report)
-        status = kg_net_report(net->net, layout, net->remarks, net->remark_count, 0, &json, error);
+        status = kg_net_tab_overlaps(net->net, layout, settings, &overlaps, error);
+    if (!status && out->report)
+        status = kg_net_report(net->net, layout, net->remarks, net->remark_count, overlaps, &json,
+                               error);
     if (!status && out->report)
         status = write_beside(out->report, json, &report, error);
     if (!status && out->guide)
@@ -134,19 +159,27 @@ static kg_status write_files(const kg_document *document, const kg_document_net 
     return status;
 }
 
-static kg_status write_net(kg_document *document, const kg_net_options *settings, double tab_width,
-                           const outputs *out, kg_error *error) {
+static kg_status write_net(kg_document *document, const kg_net_options *settings,
+                           const kg_parts_options *parts, const outputs *out, kg_error *error) {
     kg_document_net net = {0};
     /* chords a fifth of the tolerance at the written size, tabs of the wished width there */
     double chord = fmin(KG_NET_CHORD, 0.2 * settings->tolerance / settings->scale);
-    kg_status status = kg_document_solve(document, chord, error);
+    kg_status status = KG_OK;
+    if (out->guide && kg_document_oa(document))
+        status = kg_fail(error, KG_ERR_INPUT,
+                         "--guide: a card is cut and folded as its net shows, without a guide");
     if (!status)
-        status = kg_document_unroll(document, tab_width / settings->scale, &net, error);
+        status = kg_document_solve(document, chord, error);
+    if (!status)
+        status = kg_document_unroll_to_fit(document, parts, &net, error);
     if (!status)
         status = write_files(document, &net, settings, out, error);
     for (size_t i = 0; i < net.remark_count && !status; i++)
-        fprintf(stderr, "katagami net: warning: patch %lld: %s\n", (long long)net.remarks[i].source,
-                net.remarks[i].message);
+        if (net.remarks[i].source > 0)
+            fprintf(stderr, "katagami net: warning: patch %lld: %s\n",
+                    (long long)net.remarks[i].source, net.remarks[i].message);
+        else
+            fprintf(stderr, "katagami net: warning: %s\n", net.remarks[i].message);
     kg_document_net_clear(&net);
     return status;
 }
@@ -172,7 +205,8 @@ int kg_command_net(int argc, char **argv) {
     if (kg_document_read(a.words[0], &document, &error))
         return kg_command_fail("net", &error);
     code = read_options(&a, document, &settings, &tab_width);
-    if (code < 0 && write_net(document, &settings, tab_width, &out, &error))
+    kg_parts_options parts = parts_options(&a, &settings, tab_width);
+    if (code < 0 && write_net(document, &settings, &parts, &out, &error))
         code = kg_command_fail("net", &error);
     kg_document_destroy(document);
     return code < 0 ? KG_EXIT_DONE : code;

@@ -12,6 +12,7 @@ static const kg_option options[] = {
     {"output", 'o', true, "FILE.png", "picture to write; required"},
     {"size", 0, true, "WxH", "size in pixels (1200x800)"},
     {"view", 0, true, "NAME", "front, back, left, right, top, bottom or iso (iso)"},
+    {"open", 0, true, "DEG", "how far a card is open: 0 closed, 90 standing, 180 flat (90)"},
     {"reference", 0, true, "OPACITY", "how opaque the reference is, 0 to 1 (the model's own)"},
     {"samples", 0, true, "N", "N x N samples for each pixel (2)"},
 };
@@ -19,13 +20,15 @@ static const kg_option options[] = {
 /* Items besides those of the patches. */
 enum { MAX_ITEMS = 4 };
 
-/* Lines thinner than this angle between triangles are not drawn: patches are smooth. */
-#define CREASE 3.2
+/* Triangles bent by less are one smooth surface: all those of patches, none of cards. */
+#define PATCH_CREASE 3.2
+#define CARD_CREASE 0.02
 
 typedef struct picture {
     int width, height, samples;
     kg_view view;
     double opacity; /* of the reference; below 0: the model's own */
+    double open_deg;
 } picture;
 
 /* What is drawn: shapes to be destroyed afterwards, and the items that show them. */
@@ -62,7 +65,7 @@ static kg_status add_group(stage *s, const kg_mesh *mesh, size_t first, size_t c
         return status;
     if (!(status = kg_shape_from_surface(&surface, &shape, error)))
         status = stage_add(s, shape, style, error);
-    if (!status && outlines && !(status = kg_shape_from_edges(&surface, CREASE, &shape, error))) {
+    if (!status && outlines && !(status = kg_shape_from_edges(&surface, crease, &shape, error))) {
         kg_style line = kg_style_default((kg_color){0.1F, 0.1F, 0.12F, 1});
         status = stage_add(s, shape, line, error);
     }
@@ -75,10 +78,11 @@ static kg_status add_model(stage *s, kg_document *d, kg_error *error) {
     kg_status status = kg_document_mesh(d, NULL, &mesh, error);
     if (status)
         return status;
+    double crease = kg_document_oa(d) ? CARD_CREASE : PATCH_CREASE;
     for (size_t i = 0; i < mesh->group_count && !status; i++) {
         const kg_mesh_group *g = &mesh->groups[i];
         if (g->face_count > 0)
-            status = add_group(s, mesh, g->first_face, g->face_count, CREASE,
+            status = add_group(s, mesh, g->first_face, g->face_count, crease,
                                kg_style_default(kg_palette(i)), true, error);
     }
     kg_mesh_destroy(mesh);
@@ -86,6 +90,8 @@ static kg_status add_model(stage *s, kg_document *d, kg_error *error) {
 }
 
 static kg_status add_reference(stage *s, kg_document *d, double opacity, kg_error *error) {
+    if (!kg_document_model(d))
+        return KG_OK;
     const kg_reference *ref = &kg_document_model(d)->reference;
     double shown = opacity >= 0 ? opacity : ref->visible ? ref->opacity : 0;
     if (!ref->file || shown <= 0)
@@ -109,7 +115,8 @@ static kg_status draw(kg_document *d, const picture *p, const char *path, kg_err
     kg_status status = kg_offscreen_create(&offscreen, error);
     if (status)
         return status;
-    stage s = {.capacity = 2 * kg_solution_count(kg_document_solution(d)) + MAX_ITEMS};
+    const kg_solution *solution = kg_document_solution(d);
+    stage s = {.capacity = 2 * (solution ? kg_solution_count(solution) : 0) + MAX_ITEMS};
     s.shapes = calloc(s.capacity, sizeof *s.shapes);
     s.items = calloc(s.capacity, sizeof *s.items);
     if (!s.shapes || !s.items)
@@ -144,13 +151,14 @@ static int read_picture(const kg_arguments *a, picture *out) {
     const char *size = kg_arguments_get(a, "size"), *view = kg_arguments_get(a, "view");
     double samples = 2;
     char rest;
-    *out = (picture){1200, 800, 2, KG_VIEW_ISO, -1};
+    *out = (picture){1200, 800, 2, KG_VIEW_ISO, -1, 90};
     if (size && (sscanf(size, "%dx%d%c", &out->width, &out->height, &rest) != 2 || out->width < 1 ||
                  out->height < 1 || out->width > 16384 || out->height > 16384))
         return kg_command_misuse("render", "--size is WxH in pixels, not %s", size);
     if (view && !kg_view_parse(view, &out->view))
         return kg_command_misuse("render", "there is no view called %s", view);
     if (!kg_arguments_number(a, "reference", 0, 1, &out->opacity) ||
+        !kg_arguments_number(a, "open", 0, 180, &out->open_deg) ||
         !kg_arguments_number(a, "samples", 1, 8, &samples))
         return KG_EXIT_USAGE;
     out->samples = (int)samples;
@@ -174,8 +182,10 @@ int kg_command_render(int argc, char **argv) {
     kg_status status = kg_document_read(a.words[0], &document, &error);
     if (!status)
         status = kg_document_solve(document, KG_MESH_CHORD, &error);
-    if (!status)
+    if (!status) {
+        kg_document_set_open(document, wanted.open_deg * acos(-1.0) / 180);
         status = draw(document, &wanted, path, &error);
+    }
     kg_document_destroy(document);
     return status ? kg_command_fail("render", &error) : KG_EXIT_DONE;
 }

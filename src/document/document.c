@@ -2,6 +2,10 @@
 
 #include "document/document.h"
 
+#include "base/file.h"
+
+#include <jansson.h>
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,10 +25,55 @@ kg_status kg_document_from_model(kg_model *model, const char *path, kg_document 
     return KG_OK;
 }
 
+kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_document,
+                              kg_error *error) {
+    kg_document *d = calloc(1, sizeof *d);
+    kg_card *card = kg_card_create(oa);
+    if (d && path)
+        d->path = strdup(path);
+    if (!d || !card || (path && !d->path)) {
+        free(d);
+        kg_card_destroy(card);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    d->kind = KG_DOCUMENT_OA;
+    d->card = card;
+    *out_document = d;
+    return KG_OK;
+}
+
+/* Is it JSON that says it is a card? What is no JSON is left to the reader of models to refuse. */
+static bool is_card(const char *data, size_t size) {
+    if (!strstr(data, "\"oa\"")) /* most are not: spare them a parse */
+        return false;
+    size_t mark = size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+    json_t *root = json_loadb(data + mark, size - mark, 0, NULL);
+    const char *kind = json_string_value(json_object_get(root, "kind"));
+    bool card = kind && strcmp(kind, "oa") == 0;
+    json_decref(root);
+    return card;
+}
+
 kg_status kg_document_read(const char *path, kg_document **out_document, kg_error *error) {
+    const char *name = strcmp(path, "-") ? path : "standard input";
     kg_model *model;
-    kg_status status = kg_model_read(path, &model, error);
-    return status ? status : kg_document_from_model(model, path, out_document, error);
+    kg_oa *oa;
+    char *data;
+    size_t size;
+    kg_status status = kg_file_read(path, &data, &size, error);
+    if (status)
+        return status;
+    if (is_card(data, size)) {
+        status = kg_oa_read_memory(data, size, name, &oa, error);
+        if (!status)
+            status = kg_document_from_oa(oa, path, out_document, error);
+    } else {
+        status = kg_model_read_memory(data, size, name, &model, error);
+        if (!status)
+            status = kg_document_from_model(model, path, out_document, error);
+    }
+    free(data);
+    return status;
 }
 
 void kg_document_destroy(kg_document *d) {
@@ -32,6 +81,7 @@ void kg_document_destroy(kg_document *d) {
         return;
     kg_model_destroy(d->model);
     kg_solution_destroy(d->solution);
+    kg_card_destroy(d->card);
     free(d->path);
     free(d);
 }
@@ -41,14 +91,33 @@ kg_document_kind kg_document_get_kind(const kg_document *d) {
 }
 
 const char *kg_document_title(const kg_document *d) {
-    return d->model->title;
+    return d->card ? d->card->oa->title : d->model->title;
 }
 
 kg_model *kg_document_model(kg_document *d) {
     return d->model;
 }
 
+kg_oa *kg_document_oa(kg_document *d) {
+    return d->card ? d->card->oa : NULL;
+}
+
+const kg_oa_sheet *kg_document_sheet(const kg_document *d) {
+    return d->card ? d->card->sheet : NULL;
+}
+
+const kg_oa_stability *kg_document_stability(const kg_document *d) {
+    return d->card ? d->card->stability : NULL;
+}
+
+void kg_document_set_open(kg_document *d, double angle) {
+    if (d->card)
+        d->card->open = angle;
+}
+
 kg_status kg_document_solve(kg_document *d, double chord, kg_error *error) {
+    if (d->card)
+        return kg_card_solve(d->card, error);
     kg_solution *previous = d->solution;
     d->solution = NULL;
     return kg_solution_create(d->model, chord, previous, &d->solution, error);
@@ -59,21 +128,27 @@ const kg_solution *kg_document_solution(const kg_document *d) {
 }
 
 size_t kg_document_issue_count(const kg_document *d) {
-    return kg_solution_issue_count(d->solution);
+    return d->card ? d->card->issues.count : kg_solution_issue_count(d->solution);
 }
 
 const kg_issue *kg_document_issue(const kg_document *d, size_t index) {
-    return kg_solution_issue(d->solution, index);
+    return d->card ? &d->card->issues.items[index] : kg_solution_issue(d->solution, index);
 }
 
 kg_status kg_document_check(const kg_document *d, kg_error *error) {
-    kg_status status = kg_solution_check(d->solution, error);
-    return status && d->path ? kg_fail_in(error, status, "%s: ", d->path) : status;
+    kg_status status = KG_OK;
+    if (!d->card)
+        status = kg_solution_check(d->solution, error);
+    for (size_t i = 0; d->card && i < d->card->issues.count && !status; i++)
+        if (d->card->issues.items[i].severity == KG_FAULT)
+            status = kg_fail(error, KG_ERR_INPUT, "%s", d->card->issues.items[i].message);
+    if (!status || !d->path)
+        return status;
+    return kg_fail_in(error, status, "%s: ", strcmp(d->path, "-") ? d->path : "standard input");
 }
 
 /* ---- reference -------------------------------------------------------------------------- */
 
-/* The reference's path: relative ones start at the model's folder. */
 char *kg_document_reference_path(const kg_document *d) {
     const char *file = d->model->reference.file;
     if (!file)
@@ -91,9 +166,9 @@ char *kg_document_reference_path(const kg_document *d) {
 }
 
 kg_status kg_document_reference(const kg_document *d, kg_mesh **out_mesh, kg_error *error) {
-    const kg_reference *ref = &d->model->reference;
+    const kg_reference *ref = d->model ? &d->model->reference : NULL;
     kg_mesh *mesh = NULL;
-    if (!ref->file) {
+    if (!ref || !ref->file) {
         *out_mesh = NULL;
         return KG_OK;
     }

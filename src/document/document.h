@@ -2,6 +2,7 @@
 #ifndef KG_DOCUMENT_DOCUMENT_H
 #define KG_DOCUMENT_DOCUMENT_H
 
+#include "document/card.h"
 #include "katagami/document.h"
 
 struct kg_document {
@@ -9,6 +10,7 @@ struct kg_document {
     char *path; /* of the model file; NULL: none yet */
     kg_model *model;
     kg_solution *solution; /* NULL until solved */
+    kg_card *card;         /* of a pop-up document, which has no model */
 };
 
 /* The reference's path, relative ones starting at the model's folder; NULL for none, or when memory

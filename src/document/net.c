@@ -3,13 +3,34 @@
 #include "document/net_settings.h"
 #include "document/pin.h"
 #include "katagami/unroll.h"
+#include "net/merge.h"
 #include "net/tab.h"
 
+#include <jansson.h>
+
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* A card is one part that speaks for itself, without tabs or labels but where they are asked for.
+ */
+static kg_status card_options(const kg_oa *oa, kg_net_options *out_options, double *out_tab_width,
+                              kg_error *error) {
+    json_t *json = json_object_get(oa->json, "net");
+    kg_model_net net = {.paper = oa->paper, .margin = oa->margin, .scale = oa->scale, .json = json};
+    kg_status status = kg_net_settings_read(&net, out_options, error);
+    if (status)
+        return status;
+    if (!json_object_get(json, "labels"))
+        out_options->labels = KG_LABELS_NONE;
+    *out_tab_width = 0;
+    return KG_OK;
+}
+
 kg_status kg_document_net_options(const kg_document *d, kg_net_options *out_options,
                                   double *out_tab_width, kg_error *error) {
+    if (d->card)
+        return card_options(d->card->oa, out_options, out_tab_width, error);
     kg_status status = kg_net_settings_read(&d->model->net, out_options, error);
     if (!status)
         *out_tab_width = d->model->net.tab_width;
@@ -50,22 +71,81 @@ static kg_status add_tabs(kg_document_net *net, const kg_unrolled *unrolled, dou
     return status;
 }
 
-kg_status kg_document_unroll(const kg_document *d, double tab_width, kg_document_net *out_net,
-                             kg_error *error) {
+/* ---- merging ---------------------------------------------------------------------------- */
+
+/* Which joins the model wants to be folds. */
+static bool *merge_wishes(const kg_model *model, const kg_net *net) {
+    bool *wanted = calloc(net->join_count + 1, sizeof *wanted);
+    for (size_t i = 0; i < net->join_count && wanted; i++)
+        for (size_t k = 0; k < model->net.join_count; k++) {
+            const kg_model_join *j = &model->net.joins[k];
+            const int64_t *s = net->joins[i].sources;
+            if (j->merge && ((j->patches[0] == s[0] && j->patches[1] == s[1]) ||
+                             (j->patches[0] == s[1] && j->patches[1] == s[0])))
+                wanted[i] = true;
+        }
+    return wanted;
+}
+
+static kg_status merge_parts(kg_document_net *net, const kg_model *model, kg_unrolled *unrolled,
+                             const kg_parts_options *options, kg_error *error) {
+    static const char *const reasons[] = {
+        "it is no straight line on both parts",
+        "one part is seen from its front, the other from its back (flip one of them)",
+        "the parts would lie on each other", "the whole would not fit the page",
+        "both of its sides belong to one part already"};
+    bool *wanted = merge_wishes(model, unrolled->net);
+    if (!wanted)
+        return KG_ERR_MEMORY;
+    kg_merge_options merging = {options->merge, wanted, options->room, unrolled->bends};
+    kg_merge_report report = {0};
+    kg_status status = kg_net_merge(unrolled->net, &merging, &report, error);
+    for (size_t i = 0; i < report.remark_count && !status; i++) {
+        const kg_merge_remark *r = &report.remarks[i];
+        char message[KG_ERROR_SIZE / 2];
+        snprintf(message, sizeof message, "seam %d with patch %lld cannot be a fold: %s", r->number,
+                 (long long)r->sources[1], reasons[r->refusal]);
+        status = add_remark(net, r->sources[0], "not-merged", message);
+    }
+    free(report.remarks);
+    free(wanted);
+    return status;
+}
+
+/* ---- the whole -------------------------------------------------------------------------- */
+
+kg_status kg_document_unroll(const kg_document *document, double tab_width,
+                             kg_document_net *out_net, kg_error *error) {
+    kg_parts_options options = {.tab_width = tab_width};
+    return kg_document_unroll_to_fit(document, &options, out_net, error);
+}
+
+kg_status kg_document_unroll_to_fit(const kg_document *d, const kg_parts_options *options,
+                                    kg_document_net *out_net, kg_error *error) {
+    if (d->card)
+        return kg_card_net(d->card, out_net, error);
+    /* tabs stand out on every side */
+    kg_vec2 tabs = kg_v2(2 * options->tab_width, 2 * options->tab_width), room = options->room;
+    if (room.x > 0)
+        room = kg_v2(fmax(room.x - tabs.x, tabs.x), fmax(room.y - tabs.y, tabs.y));
     kg_unrolled *unrolled;
     kg_status status = kg_document_check(d, error);
     if (!status)
-        status = kg_unroll(d->model, d->solution, &unrolled, error);
+        status = kg_unroll_to_fit(d->model, d->solution, room, &unrolled, error);
     if (status)
         return status;
-    kg_document_net net = {0};
+    kg_document_net net = {.room = room};
+    kg_parts_options inner = *options;
+    inner.room = room;
     for (size_t i = 0; i < kg_document_issue_count(d) && !status; i++) {
         const kg_issue *issue = kg_document_issue(d, i);
         status = add_remark(&net, issue->patch, issue->code, issue->message);
     }
-    if (!status && tab_width > 0) {
-        status = add_tabs(&net, unrolled, tab_width, error);
-    } else {
+    if (!status)
+        status = merge_parts(&net, d->model, unrolled, &inner, error);
+    if (!status && options->tab_width > 0) {
+        status = add_tabs(&net, unrolled, options->tab_width, error);
+    } else if (!status) {
         net.net = unrolled->net;
         unrolled->net = NULL;
     }

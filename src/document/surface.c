@@ -62,8 +62,19 @@ static kg_status mesh_of_patch(const kg_solved_patch *p, const kg_model_patch *m
     return KG_OK;
 }
 
+static kg_status mesh_of_card(const kg_card *card, kg_group_color color, kg_mesh **out_mesh,
+                              kg_error *error) {
+    kg_status status =
+        kg_oa_pose(card->oa, card->sheet, card->stability, card->open, out_mesh, error);
+    for (size_t i = 0; !status && color && i < (*out_mesh)->group_count; i++)
+        color(i, (*out_mesh)->groups[i].color);
+    return status;
+}
+
 kg_status kg_document_mesh(const kg_document *d, kg_group_color color, kg_mesh **out_mesh,
                            kg_error *error) {
+    if (d->card)
+        return mesh_of_card(d->card, color, out_mesh, error);
     kg_status status = kg_document_check(d, error);
     if (status)
         return status;
@@ -77,7 +88,7 @@ kg_status kg_document_mesh(const kg_document *d, kg_group_color color, kg_mesh *
         if (p->construction)
             continue;
         if (color)
-            color(i, rgba);
+            color(all->group_count, rgba);
         status = mesh_of_patch(p, &d->model->patches[i], rgba, &mesh, error);
         if (!status)
             status = kg_mesh_append(all, mesh, error);

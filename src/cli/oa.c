@@ -1,0 +1,140 @@
+/* katagami oa: a pop-up card of a mesh. */
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "katagami/document.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const kg_option options[] = {
+    {"output", 'o', true, "MODEL", "model file to write (.katagami); required"},
+    {"size", 0, true, "WxDxH", "cells: width, depth, height (80x40x40)"},
+    {"cell", 0, true, "MM", "side of a cell (at most 2.5, so that the card fits on A4)"},
+    {"up", 0, true, "AXIS", "what points up in the mesh: x, y, z, -x, -y or -z (y)"},
+    {"front", 0, true, "AXIS", "what points to the reader (z; with --up z it is -y)"},
+    {"stretch", 0, false, NULL, "fill the card in all directions instead of keeping proportions"},
+    {"smooth", 0, true, "N", "smooth sections with N x N cells, N odd; 0 is off (3)"},
+    {"windows", 0, false, NULL, "open windows where the card allows (it does)"},
+    {"no-windows", 0, false, NULL, "leave the front closed"},
+    {"thin-top", 0, true, "N", "leave out tops at most N cells deep where possible (0)"},
+    {"diagonals", 0, false, NULL, "45-degree folds where they hold"},
+    {"title", 0, true, "TEXT", "title of the card (the mesh's name)"},
+    {"progress", 0, false, NULL, "tell on standard error how far the work is"},
+};
+
+/* The largest cells, mm, that look well, and the sheet they should fit: A4 within its margins. */
+#define LARGEST_CELL 2.5
+#define SHEET_WIDTH 194.0
+#define SHEET_HEIGHT 281.0
+
+/* "-z" and the like; false for other words. */
+static bool parse_axis(const char *text, kg_vec3 *out) {
+    double sign = text[0] == '-' ? -1 : 1;
+    const char *letter = text + (text[0] == '-' || text[0] == '+');
+    if (strlen(letter) != 1 || letter[0] < 'x' || letter[0] > 'z')
+        return false;
+    *out = kg_v3(letter[0] == 'x' ? sign : 0, letter[0] == 'y' ? sign : 0,
+                 letter[0] == 'z' ? sign : 0);
+    return true;
+}
+
+static int read_axes(const kg_arguments *a, kg_oa_options *out) {
+    const char *up = kg_arguments_get(a, "up"), *front = kg_arguments_get(a, "front");
+    if (up && !parse_axis(up, &out->up))
+        return kg_command_misuse("oa", "--up is an axis such as y or -z, not %s", up);
+    if (out->up.z != 0)
+        out->front = kg_v3(0, -1, 0);
+    if (front && !parse_axis(front, &out->front))
+        return kg_command_misuse("oa", "--front is an axis such as z or -y, not %s", front);
+    if (kg_dot(out->up, out->front) != 0)
+        return kg_command_misuse("oa", "--up and --front are two different axes");
+    return -1;
+}
+
+/* Whole hundredths of a millimetre that fit the sheet. */
+static double cell_for(const kg_oa_options *o) {
+    double fit = fmin(SHEET_WIDTH / o->width, SHEET_HEIGHT / (o->depth + o->height));
+    return fmin(LARGEST_CELL, fmax(floor(fit * 100), 1) / 100);
+}
+
+static int read_options(const kg_arguments *a, kg_oa_options *out) {
+    const char *size = kg_arguments_get(a, "size");
+    double smooth = 3, thin = 0;
+    char rest;
+    *out = kg_oa_options_default();
+    if (size && sscanf(size, "%dx%dx%d%c", &out->width, &out->depth, &out->height, &rest) != 3)
+        return kg_command_misuse("oa", "--size is WxDxH in cells, not %s", size);
+    int code = read_axes(a, out);
+    if (code >= 0)
+        return code;
+    if (kg_arguments_get(a, "windows") && kg_arguments_get(a, "no-windows"))
+        return kg_command_misuse("oa", "--windows and --no-windows exclude each other");
+    if (out->width > 0 && out->depth > 0 && out->height > 0)
+        out->cell_mm = cell_for(out);
+    if (!kg_arguments_number(a, "cell", 1e-3, KG_OA_MAX_CELL, &out->cell_mm) ||
+        !kg_arguments_number(a, "smooth", 0, KG_OA_MAX_SIZE, &smooth) ||
+        !kg_arguments_number(a, "thin-top", 0, KG_OA_MAX_SIZE, &thin))
+        return KG_EXIT_USAGE;
+    if (smooth != floor(smooth) || (smooth > 0 && fmod(smooth, 2) == 0))
+        return kg_command_misuse("oa", "--smooth is 0 or an odd number of cells");
+    if (thin != floor(thin))
+        return kg_command_misuse("oa", "--thin-top is a whole number of cells");
+    out->smooth = (int)smooth;
+    out->thin_top = (int)thin;
+    out->windows = !kg_arguments_get(a, "no-windows");
+    out->stretch = kg_arguments_get(a, "stretch") != NULL;
+    out->diagonals = kg_arguments_get(a, "diagonals") != NULL;
+    return -1;
+}
+
+static char *title_of(const char *path) {
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    const char *dot = strrchr(name, '.');
+    return strndup(name, dot ? (size_t)(dot - name) : strlen(name));
+}
+
+static bool tell(void *user, double fraction, const char *what) {
+    (void)user;
+    fprintf(stderr, "\r%s %3.0f %%", what, 100 * fraction);
+    return true;
+}
+
+static kg_status convert(const kg_arguments *a, const kg_oa_options *wanted, const char *output,
+                         kg_error *error) {
+    kg_progress progress = {kg_arguments_get(a, "progress") ? tell : NULL, NULL};
+    const char *title = kg_arguments_get(a, "title");
+    kg_mesh *mesh;
+    kg_oa *oa = NULL;
+    kg_status status = kg_mesh_read(a->words[0], &mesh, error);
+    if (status)
+        return status;
+    status = kg_oa_convert(mesh, wanted, &progress, &oa, error);
+    kg_mesh_destroy(mesh);
+    if (progress.call)
+        fputc('\n', stderr);
+    if (!status) {
+        free(oa->title);
+        oa->title = title ? strdup(title) : title_of(a->words[0]);
+        status = oa->title ? kg_oa_write(oa, output, error)
+                           : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    kg_oa_destroy(oa);
+    return status;
+}
+
+int kg_command_oa(int argc, char **argv) {
+    kg_arguments a;
+    kg_oa_options wanted;
+    int code = kg_arguments_parse(argc, argv, "katagami oa MESH -o MODEL [OPTION…]", options,
+                                  sizeof options / sizeof *options, &a);
+    if (code >= 0)
+        return code;
+    const char *output = kg_arguments_get(&a, "output");
+    if (a.count != 1 || !output)
+        return kg_command_misuse("oa", "a mesh and an output (-o) are wanted");
+    if ((code = read_options(&a, &wanted)) >= 0)
+        return code;
+    kg_error error;
+    return convert(&a, &wanted, output, &error) ? kg_command_fail("oa", &error) : KG_EXIT_DONE;
+}

@@ -1,0 +1,60 @@
+/* Surfaces and crease patterns of documents as files. */
+#include "document/document.h"
+
+#include "base/file.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+static bool ends_in(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n >= m && strcasecmp(path + n - m, ending) == 0;
+}
+
+static kg_status export_fold(const kg_document *d, const char *path, kg_error *error) {
+    char *text;
+    if (d->kind != KG_DOCUMENT_OA)
+        return kg_fail(error, KG_ERR_INPUT,
+                       "%s: curved patches have no crease pattern; FOLD is for pop-up cards", path);
+    kg_status status = kg_oa_fold(d->card->oa, d->card->sheet, &text, error);
+    if (status)
+        return status;
+    status = kg_file_write(path, text, strlen(text), error);
+    free(text);
+    return status;
+}
+
+/* A card's mesh folds up and open again. */
+static kg_status export_motion(const kg_document *d, const char *path, kg_error *error) {
+    const kg_card *card = d->card;
+    kg_mesh *mesh;
+    kg_mesh_motion *motion;
+    kg_status status =
+        kg_oa_motion(card->oa, card->sheet, card->stability, card->open, &mesh, &motion, error);
+    if (status)
+        return status;
+    status = kg_mesh_write_moving(path, mesh, motion, error);
+    kg_mesh_destroy(mesh);
+    kg_mesh_motion_destroy(motion);
+    return status;
+}
+
+kg_status kg_document_export(const kg_document *d, const char *path, kg_group_color color,
+                             kg_error *error) {
+    kg_mesh_format format;
+    kg_mesh *mesh;
+    if (ends_in(path, ".fold"))
+        return export_fold(d, path, error);
+    kg_status status = kg_mesh_format_of(path, &format, error);
+    if (status)
+        return status;
+    if (d->kind == KG_DOCUMENT_OA && (format == KG_MESH_GLTF || format == KG_MESH_GLB))
+        return export_motion(d, path, error);
+    status = kg_document_mesh(d, color, &mesh, error);
+    if (status)
+        return status;
+    status = kg_mesh_write(path, mesh, error);
+    kg_mesh_destroy(mesh);
+    return status;
+}
