@@ -62,7 +62,8 @@ KG_API kg_guide_order_options kg_guide_order_options_default(void);
  *      the inside can still be reached to press against,
  *   3. one that closes a ring: its glued edges fall apart into several runs, or go all round it,
  *   4. a fin that sits on parts still missing,
- * and among those the one with the longest glued edges, then the lower number. A part is glued
+ * and among those the one that has the largest share of its joins there already, so that no small
+ * gap is left for the end, then the one with the longest, then the lower number. A part is glued
  * along all it touches, beginning with its longest join and going on along its outline; where it
  * closes a ring, it is first attached along one run (or edge), and closed in a step of its own.
  * Joins of a part with itself come before it is attached.

@@ -183,6 +183,8 @@ static void glue_own(builder *b, int part) {
     kg_guide_step *step = add_step(b, KG_STEP_OWN, part);
     for (size_t i = 0; i < count; i++)
         glue(b, step, b->touches[i].join);
+    step->seals = b->standing[part] && b->open[b->shells[part]] < b->options.opening;
+    step->closing = step->seals;
 }
 
 static void attach(builder *b, int part) {
@@ -219,34 +221,54 @@ static bool is_waiting(const builder *b, int part) {
     return false;
 }
 
-static int rank_of(builder *b, int part, double *out_length) {
+/* How urgent a part is. */
+typedef struct claim {
+    int part, rank;
+    double share;  /* of the length of its joins, those with what stands */
+    double length; /* mm, of these */
+} claim;
+
+static claim claim_of(builder *b, int part) {
+    double all = 0;
+    claim c = {.part = part, .rank = RANK_NONE};
     size_t count = find_touches(b, part, false);
     if (count == 0)
-        return RANK_NONE;
+        return c;
+    for (size_t i = 0; i < b->net->join_count; i++) {
+        const kg_net_join *join = &b->net->joins[i];
+        bool own = join->sides[0].part == join->sides[1].part;
+        if (is_held(join) && !own && (join->sides[0].part == part || join->sides[1].part == part))
+            all += join->sides[join->sides[0].part == part ? 0 : 1].length;
+    }
     kg_fit fit = kg_touches_fit(b->touches, count);
-    *out_length = fit.length;
+    c.length = fit.length;
+    c.share = all > 0 ? fit.length / all : 0;
     if (fit.shell)
-        return fit.closing ? RANK_CLOSING : RANK_SHELL;
-    return is_waiting(b, part) ? RANK_WAITING : RANK_FIN;
+        c.rank = fit.closing ? RANK_CLOSING : RANK_SHELL;
+    else
+        c.rank = is_waiting(b, part) ? RANK_WAITING : RANK_FIN;
+    return c;
+}
+
+static bool is_more_urgent(const claim *a, const claim *b) {
+    if (a->rank != b->rank)
+        return a->rank < b->rank;
+    if (is_larger(a->share, b->share) || is_larger(b->share, a->share))
+        return a->share > b->share;
+    return is_larger(a->length, b->length);
 }
 
 /* The part to attach next, or -1 when the component is complete. */
 static int next_part(builder *b) {
-    int best = -1, best_rank = RANK_NONE;
-    double best_length = 0;
+    claim best = {.part = -1, .rank = RANK_NONE};
     for (size_t i = 0; i < b->net->part_count; i++) {
-        double length = 0;
         if (b->standing[i])
             continue;
-        int rank = rank_of(b, (int)i, &length);
-        if (rank < best_rank ||
-            (rank == best_rank && best >= 0 && is_larger(length, best_length))) {
-            best = (int)i;
-            best_rank = rank;
-            best_length = length;
-        }
+        claim c = claim_of(b, (int)i);
+        if (is_more_urgent(&c, &best))
+            best = c;
     }
-    return best;
+    return best.part;
 }
 
 static void build_component(builder *b, int component) {

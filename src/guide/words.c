@@ -46,7 +46,7 @@ static const char *const words[KG_WORD_COUNT] = {
         "begin at one end of the join and go on along it.",
     [KG_WORD_SUBASSEMBLY] = "Put aside what stands: no join leads from here to it.",
     [KG_WORD_START] = "Step %d · Begin with %s",
-    [KG_WORD_OWN] = "Step %d · Close %s to a ring",
+    [KG_WORD_OWN] = "Step %d · Glue %s to itself",
     [KG_WORD_ATTACH] = "Step %d · Attach %s",
     [KG_WORD_CLOSE] = "Step %d · Close %s",
     [KG_WORD_PLACE] = "Step %d · Place the sub-assembly of %s",
