@@ -1,0 +1,195 @@
+/*
+ * katagami: folding mode, sheets folded step by step and crease patterns folded flat.
+ *
+ * A kg_origami is sheets and a list of folds; its states follow from them by replay, so the same
+ * folds always give the same bits. A state is a half-edge model of all sheets together, with the
+ * planes its loops lie in and the order of loops that lie on each other. After Teramoto, "An
+ * interactive origami simulator" (2007); the layer orders of finished patterns after Akitaya,
+ * Demaine and Ku, "Computing flat-folded states" (2023).
+ *
+ * Lengths are millimetres, angles radians but where a name ends in _deg.
+ */
+#ifndef KATAGAMI_ORIGAMI_H
+#define KATAGAMI_ORIGAMI_H
+
+#include "katagami/base.h"
+#include "katagami/net.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct json_t;
+
+/* ---- states ----------------------------------------------------------------------------- */
+
+/* Kinds of edges. */
+typedef enum kg_edge_kind {
+    KG_EDGE_BORDER, /* paper on one side only */
+    KG_EDGE_CREASE, /* folded, or folded once and flat again */
+    KG_EDGE_JOIN,   /* no crease: where a concave face is divided into convex loops */
+    KG_EDGE_OPEN    /* a crease that is neither mountain nor valley yet (crease patterns) */
+} kg_edge_kind;
+
+typedef struct kg_paper_vertex {
+    kg_vec2 paper;    /* on its sheet, in the sheet's own coordinates */
+    kg_vec3 position; /* in space */
+    int32_t sheet;
+} kg_paper_vertex;
+
+/* Half-edges 2 e and 2 e + 1 are the two directions of edge e: the twin of h is h ^ 1. */
+typedef struct kg_half_edge {
+    int32_t origin; /* vertex it starts from */
+    int32_t next;   /* around its loop; meaningless outside the paper */
+    int32_t loop;   /* the loop on its left, -1 outside the paper */
+} kg_half_edge;
+
+typedef struct kg_paper_edge {
+    kg_edge_kind kind;
+    double angle; /* of folding, in [-π, π]: positive valley, negative mountain, seen from the
+                     front; 0 flat */
+} kg_paper_edge;
+
+/* A convex piece of paper; its half-edges run counter-clockwise seen from the front. */
+typedef struct kg_paper_loop {
+    int32_t first; /* one of its half-edges */
+    int32_t sheet;
+    int32_t group;
+} kg_paper_loop;
+
+/* A plane that loops lie in: { x : normal · x = offset }. */
+typedef struct kg_face_group {
+    kg_vec3 normal;
+    double offset;
+} kg_face_group;
+
+/* Loops a < b lie on each other; b on the front of a (side 1) or on its back (-1). */
+typedef struct kg_layer_order {
+    int32_t a, b;
+    int32_t side;
+} kg_layer_order;
+
+typedef struct kg_origami_state {
+    struct {
+        kg_paper_vertex *items;
+        size_t count, capacity;
+    } vertices;
+    struct {
+        kg_half_edge *items;
+        size_t count, capacity;
+    } halves;
+    struct {
+        kg_paper_edge *items;
+        size_t count, capacity;
+    } edges;
+    struct {
+        kg_paper_loop *items;
+        size_t count, capacity;
+    } loops;
+    struct {
+        kg_face_group *items; /* may hold planes that no loop lies in any more */
+        size_t count, capacity;
+    } groups;
+    struct {
+        kg_layer_order *items; /* sorted by a, then b; every pair that overlaps and no other */
+        size_t count, capacity;
+    } orders;
+    double
+        size; /* mm: the longest side of the bounds of all flat sheets; tolerances grow with it */
+    double touch; /* mm: overlaps narrower than this are none, paper that merely touches */
+} kg_origami_state;
+
+/* 1: loop b is in front of loop a, -1: behind it, 0: they do not overlap. */
+KG_API int kg_origami_order(const kg_origami_state *state, int32_t a, int32_t b);
+
+/* Unit normal of the front of a loop. */
+KG_API kg_vec3 kg_origami_normal(const kg_origami_state *state, int32_t loop);
+
+/* ---- sheets and folds ------------------------------------------------------------------- */
+
+typedef struct kg_sheet {
+    size_t count;
+    kg_vec2 *polygon;     /* simple, any direction, in the plane z = 0 */
+    uint32_t front, back; /* colours, 0xrrggbb */
+    struct json_t *json;  /* the object as read, for its unknown keys; may be NULL */
+} kg_sheet;
+
+/* One fold, in the coordinates of the state it starts from. Points within a thousandth of the
+ * state's size of a vertex mean that vertex. */
+typedef struct kg_fold {
+    bool by_axis;      /* an axis and a vertex on the moving side, else `from` and `to` */
+    kg_vec3 points[2]; /* two points of the axis, or where a vertex is and where it goes when folded
+                          flat */
+    kg_vec3 vertex;    /* by_axis only */
+    double angle_deg;  /* in [-180, 180], not 0; positive: towards the normal of the picked loop's
+                          group */
+    int32_t face;   /* the picked loop; -1: the topmost at the vertex, seen from the side it folds
+                       to */
+    int32_t layers; /* how many layers at the vertex move, from the picked one down; all that
+                       lies above them moves along. 0 means 1 */
+    int32_t between[2]; /* a flat fold ends between these two loops; -1, -1: outside all */
+    struct json_t *json;
+} kg_fold;
+
+/* A fold from a vertex to a point, flat, of the topmost layer. */
+KG_API kg_fold kg_fold_default(void);
+
+typedef struct kg_origami kg_origami;
+
+/* Sheets without any, to be added. NULL when memory runs out. */
+KG_API kg_origami *kg_origami_create(void);
+KG_API void kg_origami_destroy(kg_origami *origami);
+
+/* Puts a sheet on top of the others (copied). Only before the first fold. Errors: KG_ERR_INPUT for
+ * polygons of fewer than 3 corners, that cross or touch themselves, without area, or beyond
+ * 1e6 mm; KG_ERR_MEMORY. */
+KG_API kg_status kg_origami_add_sheet(kg_origami *origami, const kg_sheet *sheet,
+                                      kg_error *error) KG_CHECKED;
+KG_API size_t kg_origami_sheet_count(const kg_origami *origami);
+KG_API const kg_sheet *kg_origami_sheet(const kg_origami *origami, size_t index);
+
+/* The state after the first `step` folds, up to kg_origami_step(). */
+KG_API const kg_origami_state *kg_origami_state_at(const kg_origami *origami, size_t step);
+/* How many folds are done; those behind them can be done again. */
+KG_API size_t kg_origami_step(const kg_origami *origami);
+KG_API size_t kg_origami_fold_count(const kg_origami *origami);
+KG_API const kg_fold *kg_origami_fold_at(const kg_origami *origami, size_t index);
+
+/* Folds the last state and takes what could be done again out of the list. KG_ERR_INPUT with the
+ * reason when paper cannot do it: no such vertex, an axis beside the paper, a loop that would have
+ * to stay and to move, paper in the way (the two faces and the angle where they first touch),
+ * joined edges that keep it from going between two layers. */
+KG_API kg_status kg_origami_fold(kg_origami *origami, const kg_fold *fold,
+                                 kg_error *error) KG_CHECKED;
+/* One fold back, one forth; false when there is none. States come back bit for bit. */
+KG_API bool kg_origami_undo(kg_origami *origami);
+KG_API bool kg_origami_redo(kg_origami *origami);
+/* Takes fold `index` out and replays those behind it. KG_ERR_INPUT, with everything as it was, when
+ * one of them cannot be done without it. */
+KG_API kg_status kg_origami_unfold(kg_origami *origami, size_t index, kg_error *error) KG_CHECKED;
+
+/* Positions of the vertices of step `step` while fold `step` is under way: `fraction` in [0, 1] of
+ * its angle. `out_positions` holds as many as the state at `step` + 1, whose topology it is. */
+KG_API void kg_origami_between(const kg_origami *origami, size_t step, double fraction,
+                               kg_vec3 *out_positions);
+
+/* ---- files ------------------------------------------------------------------------------ */
+
+/* Reads an origami model ("-": standard input) and replays its folds. KG_ERR_PARSE, KG_ERR_INPUT:
+ * the message names file, line and fold. */
+KG_API kg_status kg_origami_read(const char *path, kg_origami **out_origami,
+                                 kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_read_memory(const char *data, size_t size, const char *name,
+                                        kg_origami **out_origami, kg_error *error) KG_CHECKED;
+/* Writes the whole file or nothing. Unknown keys survive. */
+KG_API kg_status kg_origami_write(const kg_origami *origami, const char *path,
+                                  kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_write_memory(const kg_origami *origami, char **out_text,
+                                         size_t *out_size, kg_error *error) KG_CHECKED;
+/* Never NULL. */
+KG_API const char *kg_origami_title(const kg_origami *origami);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,214 @@
+/* Layer orders after a fold. */
+#include "origami/condition.h"
+#include "origami/convex.h"
+#include "origami/folding.h"
+
+#include <stdlib.h>
+
+typedef struct landing {
+    const kg_folding *folding;
+    const kg_fold_parts *parts;
+    kg_origami_state *after;
+    kg_outlines outlines; /* of `after` */
+    bool *upper;          /* loops that the fold ends below, when it ends between two; else NULL */
+    kg_error *error;
+} landing;
+
+static const double PI = 3.141592653589793;
+
+static bool is_flat(const kg_fold_axis *a) {
+    return fabs(fabs(a->angle) - PI) < KG_LEAST_ANGLE;
+}
+
+/* ---- orders that stay ------------------------------------------------------------------- */
+
+/* An order between two loops that stay or move together holds for their parts. */
+static kg_status keep_orders(landing *l) {
+    const kg_origami_state *before = l->folding->state;
+    const int32_t *children = l->parts->children;
+    const bool *moves = l->parts->moves;
+    if (!kg_reserve(&l->after->orders, before->orders.count))
+        return KG_ERR_MEMORY;
+    l->after->orders.count = 0;
+    for (size_t i = 0; i < before->orders.count; i++) {
+        kg_layer_order o = before->orders.items[i];
+        bool whole = children[o.a] < 0 && children[o.b] < 0;
+        int32_t as[2] = {o.a, children[o.a]}, bs[2] = {o.b, children[o.b]};
+        for (int k = 0; k < 4; k++) {
+            int32_t a = as[k & 1], b = bs[k >> 1];
+            if (a < 0 || b < 0 || moves[a] != moves[b] ||
+                !(whole || kg_outlines_overlap(&l->outlines, a, b, before->touch)))
+                continue;
+            kg_status status =
+                kg_orders_add(l->after, &l->outlines, a, b, o.side * l->outlines.facing[a]);
+            if (status)
+                return status;
+        }
+    }
+    return kg_orders_sort(l->after);
+}
+
+/* ---- between two layers ----------------------------------------------------------------- */
+
+/* Adds to `upper` what lies above its loops or goes on flat from them. */
+static kg_status spread_up(landing *l, const kg_layer_rows *rows, int32_t start) {
+    const kg_origami_state *s = l->after;
+    struct {
+        int32_t *items;
+        size_t count, capacity;
+    } todo = {0};
+    l->upper[start] = true;
+    bool ok = kg_push(&todo, start);
+    while (ok && todo.count > 0) {
+        int32_t loop = todo.items[--todo.count], first = s->loops.items[loop].first, h = first;
+        for (size_t k = rows->starts[loop]; k < rows->starts[loop + 1] && ok; k++) {
+            int32_t other = rows->entries[k].other;
+            if (rows->entries[k].above != 1 || l->parts->moves[other] || l->upper[other])
+                continue;
+            l->upper[other] = true;
+            ok = kg_push(&todo, other);
+        }
+        do {
+            int32_t other = kg_loop_of(s, kg_twin(h));
+            if (other < 0 || s->edges.items[h >> 1].angle != 0 || l->parts->moves[other] ||
+                l->upper[other])
+                continue;
+            l->upper[other] = true;
+            ok = ok && kg_push(&todo, other);
+        } while ((h = kg_next(s, h)) != first);
+    }
+    free(todo.items);
+    return ok ? KG_OK : KG_ERR_MEMORY;
+}
+
+static kg_status find_upper(landing *l, const int32_t between[2]) {
+    const kg_origami_state *s = l->after;
+    size_t loops = l->folding->state->loops.count;
+    for (int k = 0; k < 2; k++)
+        if (between[k] < 0 || (size_t)between[k] >= loops)
+            return kg_fail(l->error, KG_ERR_INPUT, "there is no face %d to go between", between[k]);
+    if (!is_flat(&l->folding->axis))
+        return kg_fail(l->error, KG_ERR_INPUT,
+                       "only a flat fold, by 180 degrees, ends between faces");
+    int order = kg_origami_order(s, between[0], between[1]) * l->outlines.facing[between[0]];
+    if (order == 0 || l->parts->moves[between[0]] || l->parts->moves[between[1]] ||
+        s->loops.items[between[0]].group != l->folding->axis.group)
+        return kg_fail(l->error, KG_ERR_INPUT,
+                       "faces %d and %d do not lie on each other where the fold ends", between[0],
+                       between[1]);
+    l->upper = calloc(s->loops.count + 1, sizeof *l->upper);
+    kg_layer_rows rows;
+    kg_status status = l->upper ? kg_layer_rows_create(s, &l->outlines, &rows) : KG_ERR_MEMORY;
+    if (status)
+        return status;
+    status = spread_up(l, &rows, between[order > 0]);
+    kg_layer_rows_clear(&rows);
+    if (!status && l->upper[between[order < 0]])
+        return kg_fail(l->error, KG_ERR_INPUT, "faces %d and %d are joined: nothing goes between",
+                       between[0], between[1]);
+    return status;
+}
+
+/* ---- orders that are new ---------------------------------------------------------------- */
+
+static kg_vec2 middle(const kg_vec2 *p, size_t n) {
+    kg_vec2 sum = kg_v2(0, 0);
+    for (size_t i = 0; i < n; i++)
+        sum = kg_add2(sum, p[i]);
+    return kg_scale2(sum, 1 / (double)n);
+}
+
+/* How a moving loop arrives at one at rest: 1 from above, -1 from below, 0 along the plane. In a
+ * plane through the axis it is the same all over the loop; elsewhere the common part tells. */
+static kg_status arrival(const landing *l, int32_t moving, int32_t resting, bool through_axis,
+                         int *out_above) {
+    const kg_outlines *o = &l->outlines;
+    const kg_face_group *g = &l->after->groups.items[l->after->loops.items[moving].group];
+    kg_vec2 at = middle(kg_outline(o, moving), kg_outline_size(o, moving));
+    if (!through_axis) {
+        size_t na = kg_outline_size(o, moving), nb = kg_outline_size(o, resting);
+        kg_vec2 *scratch = malloc(2 * (na + nb + 2) * sizeof *scratch);
+        if (!scratch)
+            return KG_ERR_MEMORY;
+        size_t n = kg_convex_common(kg_outline(o, moving), na, kg_outline(o, resting), nb, scratch,
+                                    scratch + na + nb + 2);
+        if (n > 0)
+            at = middle(scratch, n);
+        free(scratch);
+    }
+    kg_vec3 u, v;
+    kg_plane_axes(g->normal, &u, &v);
+    kg_vec3 p =
+        kg_add(kg_scale(g->normal, g->offset), kg_add(kg_scale(u, at.x), kg_scale(v, at.y)));
+    double towards = kg_dot(kg_fold_velocity(&l->folding->axis, p), g->normal);
+    double least = l->after->touch;
+    *out_above = towards < -least ? 1 : towards > least ? -1 : 0;
+    return KG_OK;
+}
+
+/* Orders of one moving loop with all at rest in its group. `*inserted` when it comes to lie between
+ * the two chosen loops. */
+static kg_status land_loop(landing *l, int32_t moving, const int32_t between[2], bool *inserted,
+                           bool *elsewhere) {
+    const kg_origami_state *s = l->after;
+    const kg_fold_axis *a = &l->folding->axis;
+    int32_t group = s->loops.items[moving].group;
+    const kg_face_group *g = &s->groups.items[group];
+    bool through_axis = fabs(kg_dot(g->normal, a->axis)) < KG_ON_PLANE &&
+                        fabs(kg_dot(g->normal, a->origin) - g->offset) < KG_ON_PLANE * s->size;
+    bool own = is_flat(a) && group == a->group &&
+               l->folding->state->loops.items[l->parts->parents[moving]].group == a->group;
+    for (size_t i = 0; i < s->loops.count; i++) {
+        int32_t resting = (int32_t)i;
+        if (l->parts->moves[i] || s->loops.items[i].group != group ||
+            !kg_outlines_overlap(&l->outlines, moving, resting, s->touch))
+            continue;
+        int above;
+        kg_status status = arrival(l, moving, resting, through_axis, &above);
+        if (status)
+            return status;
+        if (own && l->upper) {
+            above = l->upper[i] ? -1 : 1;
+            *inserted |= resting == between[0] || resting == between[1];
+        } else if (above == 0) { /* it slid: an old order holds */
+            int32_t old = l->parts->parents[resting];
+            above = kg_origami_order(l->folding->state, old, l->parts->parents[moving]) *
+                    l->outlines.facing[i];
+            if (above == 0)
+                return kg_fail(l->error, KG_ERR_INPUT,
+                               "face %d would slide edge on into face %d, in its plane",
+                               l->parts->parents[moving], old);
+        }
+        *elsewhere |= !own;
+        if ((status = kg_orders_add(l->after, &l->outlines, resting, moving, above)))
+            return status;
+    }
+    return KG_OK;
+}
+
+kg_status kg_fold_land(const kg_folding *folding, const kg_fold *fold, const kg_fold_parts *parts,
+                       kg_origami_state *after, kg_error *error) {
+    landing l = {.folding = folding, .parts = parts, .after = after, .error = error};
+    bool inserts = fold->between[0] >= 0 || fold->between[1] >= 0, inserted = false,
+         elsewhere = false;
+    kg_status status = kg_outlines_create(after, &l.outlines);
+    if (!status)
+        status = keep_orders(&l);
+    if (!status && inserts)
+        status = find_upper(&l, fold->between);
+    for (size_t i = 0; i < after->loops.count && !status; i++)
+        if (parts->moves[i])
+            status = land_loop(&l, (int32_t)i, fold->between, &inserted, &elsewhere);
+    if (!status && inserts && !inserted)
+        status = kg_fail(error, KG_ERR_INPUT, "the fold does not end between faces %d and %d",
+                         fold->between[0], fold->between[1]);
+    if (!status)
+        status = kg_orders_sort(after);
+    /* the rules of what moves keep layers from crossing, but not where they go between others or
+     * meet those of other planes */
+    if (!status && (inserts || elsewhere))
+        status = kg_layers_check(after, &l.outlines, error);
+    kg_outlines_clear(&l.outlines);
+    free(l.upper);
+    return status;
+}

@@ -1,0 +1,149 @@
+/*
+ * What moves in a fold: the picked loop beyond the axis; what shares an edge with a moving part
+ * there; what lies on a moving part on the side that it goes to. Loops in other planes that hang on
+ * a moving part move as a whole.
+ */
+#include "origami/folding.h"
+
+#include "origami/convex.h"
+
+#include <stdlib.h>
+
+typedef struct stack {
+    int32_t *items;
+    size_t count, capacity;
+} stack;
+
+static bool in_group(const kg_folding *f, int32_t loop) {
+    return f->state->loops.items[loop].group == f->axis.group;
+}
+
+static int side_of(const kg_folding *f, int32_t half) {
+    return f->sides[f->state->halves.items[half].origin];
+}
+
+/* Bits: 1 some corner beyond the axis, 2 some corner on the resting side. */
+static int reach(const kg_folding *f, int32_t loop) {
+    int32_t first = f->state->loops.items[loop].first, h = first;
+    int bits = 0;
+    do {
+        int side = side_of(f, h);
+        bits |= side == 1 ? 1 : side == -1 ? 2 : 0;
+    } while ((h = kg_next(f->state, h)) != first);
+    return bits;
+}
+
+static kg_status add(kg_folding *f, stack *todo, int32_t loop) {
+    if (f->moves[loop])
+        return KG_OK;
+    f->moves[loop] = true;
+    return kg_push(todo, loop) ? KG_OK : KG_ERR_MEMORY;
+}
+
+static bool on_axis(const kg_folding *f, int32_t half) {
+    double tolerance = KG_ON_AXIS * f->state->size;
+    return kg_fold_radius(&f->axis, *kg_origin(f->state, half)) <= tolerance &&
+           kg_fold_radius(&f->axis, *kg_origin(f->state, kg_twin(half))) <= tolerance;
+}
+
+/* The loop across an edge of a moving one. */
+static kg_status follow_edge(kg_folding *f, stack *todo, int32_t half, kg_error *error) {
+    int32_t loop = kg_loop_of(f->state, half), other = kg_loop_of(f->state, kg_twin(half));
+    if (other < 0)
+        return KG_OK;
+    int a = side_of(f, half), b = side_of(f, kg_twin(half));
+    bool beyond = a == 1 || b == 1, rests = a == -1 || b == -1;
+    if (in_group(f, loop) && !beyond)
+        return KG_OK;
+    if (in_group(f, loop) && in_group(f, other))
+        return add(f, todo, other);
+    if (!in_group(f, loop) && on_axis(f, half))
+        return KG_OK;
+    if (rests) {
+        int32_t rigid = in_group(f, loop) ? other : loop;
+        return kg_fail(
+            error, KG_ERR_INPUT,
+            "face %d, in another plane, would have to move with face %d and to stay with "
+            "what is on the other side of the axis",
+            rigid, rigid == loop ? other : loop);
+    }
+    return add(f, todo, other);
+}
+
+/* Parts beyond the axis of two overlapping loops overlap. */
+static bool overlap_beyond(const kg_folding *f, int32_t a, int32_t b, kg_vec2 *scratch) {
+    int across_a = reach(f, a), across_b = reach(f, b);
+    if (!(across_b & 1))
+        return false;
+    if (!(across_a & 2) || !(across_b & 2))
+        /* what is beyond as a whole overlaps the other one there and nowhere else */
+        return true;
+    kg_vec3 u, v;
+    kg_plane_axes(f->axis.normal, &u, &v);
+    kg_vec2 m = kg_v2(kg_dot(u, f->axis.side), kg_dot(v, f->axis.side));
+    double offset = kg_dot(f->axis.origin, kg_madd(kg_scale(u, m.x), m.y, v));
+    const kg_outlines *o = &f->outlines;
+    kg_vec2 *second = scratch + kg_outline_size(o, a) + 2;
+    size_t n = kg_convex_clip(kg_outline(o, a), kg_outline_size(o, a), m, offset, scratch);
+    size_t k = kg_convex_clip(kg_outline(o, b), kg_outline_size(o, b), m, offset, second);
+    return n > 0 && k > 0 && kg_convex_overlap(scratch, n, second, k, f->state->touch);
+}
+
+/* A loop in another plane starts towards one that lies on it, somewhere in their common part. */
+static bool pushes(const kg_folding *f, int32_t loop, int32_t other, int above, kg_vec2 *scratch) {
+    const kg_outlines *o = &f->outlines;
+    const kg_face_group *g = &f->state->groups.items[f->state->loops.items[loop].group];
+    size_t na = kg_outline_size(o, loop), nb = kg_outline_size(o, other);
+    size_t n = kg_convex_common(kg_outline(o, loop), na, kg_outline(o, other), nb, scratch,
+                                scratch + na + nb + 2);
+    kg_vec3 u, v;
+    kg_plane_axes(g->normal, &u, &v);
+    for (size_t i = 0; i < n; i++) {
+        kg_vec3 p = kg_add(kg_scale(g->normal, g->offset),
+                           kg_add(kg_scale(u, scratch[i].x), kg_scale(v, scratch[i].y)));
+        if (above * kg_dot(kg_fold_velocity(&f->axis, p), g->normal) > f->state->touch)
+            return true;
+    }
+    return false;
+}
+
+static kg_status follow_layers(kg_folding *f, stack *todo, int32_t loop, kg_vec2 *scratch) {
+    int up = f->axis.angle > 0 ? 1 : -1;
+    kg_status status = KG_OK;
+    for (size_t k = f->rows.starts[loop]; k < f->rows.starts[loop + 1] && !status; k++) {
+        int32_t other = f->rows.entries[k].other;
+        int above = f->rows.entries[k].above;
+        if (f->moves[other])
+            continue;
+        if (in_group(f, loop) ? above == up && overlap_beyond(f, loop, other, scratch)
+                              : pushes(f, loop, other, above, scratch))
+            status = add(f, todo, other);
+    }
+    return status;
+}
+
+kg_status kg_folding_move(kg_folding *f, int32_t loop, kg_error *error) {
+    if (in_group(f, loop) && !(reach(f, loop) & 1))
+        return kg_fail(error, KG_ERR_INPUT, "face %d has nothing on the moving side of the axis",
+                       loop);
+    size_t most = 0;
+    for (size_t i = 0; i < f->state->loops.count; i++) {
+        size_t n = kg_outline_size(&f->outlines, (int32_t)i);
+        most = n > most ? n : most;
+    }
+    kg_vec2 *scratch = malloc((4 * most + 8) * sizeof *scratch);
+    stack todo = {0};
+    kg_status status = scratch ? add(f, &todo, loop) : KG_ERR_MEMORY;
+    while (todo.count > 0 && !status) {
+        int32_t next = todo.items[--todo.count], first = f->state->loops.items[next].first,
+                h = first;
+        do
+            status = follow_edge(f, &todo, h, error);
+        while (!status && (h = kg_next(f->state, h)) != first);
+        if (!status)
+            status = follow_layers(f, &todo, next, scratch);
+    }
+    free(todo.items);
+    free(scratch);
+    return status;
+}

@@ -1,0 +1,192 @@
+/* Sheets, folds, and the states between them. */
+#include "origami/origami.h"
+
+#include "origami/folding.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+kg_fold kg_fold_default(void) {
+    return (kg_fold){.angle_deg = 180, .face = -1, .between = {-1, -1}};
+}
+
+kg_origami *kg_origami_create(void) {
+    kg_origami *o = calloc(1, sizeof *o);
+    kg_origami_state *s = NULL;
+    if (o && (o->title = calloc(1, 1)) && kg_state_from_sheets(NULL, 0, &s, NULL) == KG_OK &&
+        kg_push(&o->states, s))
+        return o;
+    kg_state_destroy(s);
+    kg_origami_destroy(o);
+    return NULL;
+}
+
+/* Forgets folds from `count` on, and their states. */
+static void cut_folds(kg_origami *o, size_t count) {
+    while (o->folds.count > count)
+        json_decref(o->folds.items[--o->folds.count].json);
+    while (o->states.count > count + 1)
+        kg_state_destroy(o->states.items[--o->states.count]);
+}
+
+void kg_origami_destroy(kg_origami *o) {
+    if (!o)
+        return;
+    cut_folds(o, 0);
+    for (size_t i = 0; i < o->states.count; i++)
+        kg_state_destroy(o->states.items[i]);
+    for (size_t i = 0; i < o->sheets.count; i++) {
+        free(o->sheets.items[i].polygon);
+        json_decref(o->sheets.items[i].json);
+    }
+    free(o->sheets.items);
+    free(o->folds.items);
+    free(o->states.items);
+    free(o->title);
+    json_decref(o->json);
+    free(o);
+}
+
+kg_status kg_origami_add_sheet(kg_origami *o, const kg_sheet *sheet, kg_error *error) {
+    if (o->folds.count > 0)
+        return kg_fail(error, KG_ERR_INPUT, "sheets come before the first fold");
+    kg_status status = kg_sheet_check(sheet, error);
+    if (status)
+        return status;
+    kg_sheet copy = *sheet;
+    copy.polygon = malloc(sheet->count * sizeof *copy.polygon);
+    if (!copy.polygon || !kg_push(&o->sheets, copy)) {
+        free(copy.polygon);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    memcpy(copy.polygon, sheet->polygon, sheet->count * sizeof *copy.polygon);
+    json_incref(copy.json);
+    kg_origami_state *s;
+    status = kg_state_from_sheets(o->sheets.items, o->sheets.count, &s, error);
+    if (status) {
+        o->sheets.count--;
+        free(copy.polygon);
+        json_decref(copy.json);
+        return status;
+    }
+    kg_state_destroy(o->states.items[0]);
+    o->states.items[0] = s;
+    return KG_OK;
+}
+
+size_t kg_origami_sheet_count(const kg_origami *o) {
+    return o->sheets.count;
+}
+
+const kg_sheet *kg_origami_sheet(const kg_origami *o, size_t index) {
+    return &o->sheets.items[index];
+}
+
+const kg_origami_state *kg_origami_state_at(const kg_origami *o, size_t step) {
+    return o->states.items[step];
+}
+
+size_t kg_origami_step(const kg_origami *o) {
+    return o->step;
+}
+
+size_t kg_origami_fold_count(const kg_origami *o) {
+    return o->folds.count;
+}
+
+const kg_fold *kg_origami_fold_at(const kg_origami *o, size_t index) {
+    return &o->folds.items[index];
+}
+
+const char *kg_origami_title(const kg_origami *o) {
+    return o->title;
+}
+
+/* ---- folding ---------------------------------------------------------------------------- */
+
+kg_status kg_origami_fold(kg_origami *o, const kg_fold *fold, kg_error *error) {
+    kg_origami_state *s;
+    kg_fold copy = *fold;
+    kg_status status = kg_state_fold(o->states.items[o->step], &copy, &s, error);
+    if (status)
+        return status;
+    json_incref(copy.json);
+    cut_folds(o, o->step);
+    if (!kg_reserve(&o->folds, o->step + 1) || !kg_reserve(&o->states, o->step + 2)) {
+        kg_state_destroy(s);
+        json_decref(copy.json);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    o->folds.items[o->folds.count++] = copy;
+    o->states.items[o->states.count++] = s;
+    o->step++;
+    return KG_OK;
+}
+
+bool kg_origami_undo(kg_origami *o) {
+    if (o->step == 0)
+        return false;
+    o->step--;
+    return true;
+}
+
+bool kg_origami_redo(kg_origami *o) {
+    if (o->step == o->folds.count)
+        return false;
+    o->step++;
+    return true;
+}
+
+kg_status kg_origami_unfold(kg_origami *o, size_t index, kg_error *error) {
+    if (index >= o->step)
+        return kg_fail(error, KG_ERR_INPUT, "there is no fold %zu to take out", index + 1);
+    kg_origami_state **states = calloc(o->step, sizeof *states);
+    kg_status status = states ? KG_OK : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    const kg_origami_state *from = o->states.items[index];
+    for (size_t i = index + 1; i < o->step && !status; i++) {
+        status = kg_state_fold(from, &o->folds.items[i], &states[i], error);
+        if (status == KG_ERR_INPUT)
+            kg_fail_in(error, status, "fold %zu cannot be done without fold %zu: ", i + 1,
+                       index + 1);
+        from = states[i];
+    }
+    if (status) {
+        for (size_t i = index + 1; states && i < o->step; i++)
+            kg_state_destroy(states[i]);
+        free(states);
+        return status;
+    }
+    cut_folds(o, o->step);
+    json_decref(o->folds.items[index].json);
+    memmove(&o->folds.items[index], &o->folds.items[index + 1],
+            (o->folds.count - index - 1) * sizeof *o->folds.items);
+    o->folds.count--;
+    kg_state_destroy(o->states.items[index + 1]);
+    for (size_t i = index + 1; i < o->step; i++) {
+        if (i + 1 < o->states.count)
+            kg_state_destroy(o->states.items[i + 1]);
+        o->states.items[i] = states[i];
+    }
+    o->states.count--;
+    o->step--;
+    free(states);
+    return KG_OK;
+}
+
+void kg_origami_between(const kg_origami *o, size_t step, double fraction, kg_vec3 *out_positions) {
+    const kg_origami_state *before = o->states.items[step], *after = o->states.items[step + 1];
+    kg_fold_axis axis;
+    kg_status status = kg_state_fold_axis(before, &o->folds.items[step], &axis, NULL);
+    for (size_t i = 0; i < after->vertices.count; i++) {
+        kg_vec3 p = after->vertices.items[i].position;
+        /* new vertices lie on the axis; others move when they are not where they were */
+        bool moved = i < before->vertices.count && (p.x != before->vertices.items[i].position.x ||
+                                                    p.y != before->vertices.items[i].position.y ||
+                                                    p.z != before->vertices.items[i].position.z);
+        out_positions[i] =
+            !status && moved
+                ? kg_fold_turn(&axis, before->vertices.items[i].position, fraction * axis.angle)
+                : p;
+    }
+}
