@@ -22,7 +22,9 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error
     kg_settings_clear(&settings);
     if (status)
         return status;
-    if (!(status = kg_ui_create(error)))
+    if (!(status = kg_net_view_init(&app->net_view, error)))
+        status = kg_ui_create(error);
+    if (!status)
         status = kg_scenery_create(&app->stage, error);
     if (status)
         kg_app_clear(app);
@@ -30,6 +32,7 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error
 }
 
 void kg_app_clear(kg_app *app) {
+    kg_net_view_clear(&app->net_view);
     kg_scenery_destroy(app->stage);
     kg_ui_destroy();
     kg_editor_clear(&app->editor);
@@ -76,6 +79,9 @@ static void serve_request(kg_app *app) {
     case KG_REQUEST_RENAME:
         app->dialogs.open_rename = true;
         break;
+    case KG_REQUEST_MENU:
+        app->dialogs.open_menu = true;
+        break;
     case KG_REQUEST_NONE:
         break;
     }
@@ -100,7 +106,7 @@ static bool is_of_mouse(const kg_event *e) {
 
 static void give_to_editor(kg_app *app, const kg_event *event) {
     kg_editor *e = &app->editor;
-    if (kg_axes_event(app, event))
+    if (kg_axes_event(app, event) || kg_net_view_event(&app->net_view, e, event))
         return;
     if (kg_pane_event(&e->pane, event, e->settings.navigation))
         return;

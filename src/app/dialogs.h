@@ -24,8 +24,8 @@ typedef struct kg_browser_entry {
 
 typedef struct kg_dialogs {
     bool open_palette, open_help, open_settings, open_rename, open_unsaved, open_browser,
-        open_error, open_recovery, open_overwrite; /* to be opened in this frame */
-    kg_purpose purpose;                            /* of the browser */
+        open_error, open_recovery, open_overwrite, open_menu; /* to be opened in this frame */
+    kg_purpose purpose;                                       /* of the browser */
     kg_purpose after_unsaved; /* goes on when the changes are saved or given up */
     char error[KG_ERROR_SIZE];
 

@@ -347,9 +347,15 @@ kg_status kg_editor_open(kg_editor *e, const char *path, kg_error *error) {
     char *copy = strdup(path);
     kg_status status = copy ? kg_document_read(path, &document, error)
                             : kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    if (!status && (status = kg_document_solve(document, KG_EDITOR_CHORD, error)))
-        kg_document_destroy(document);
+    kg_document *opened = status ? NULL : document;
+    if (!status && !kg_document_model(document))
+        status =
+            kg_fail(error, KG_ERR_INPUT,
+                    "%s is no patch model; use the commands net, export and render for it", path);
+    if (!status)
+        status = kg_document_solve(document, KG_EDITOR_CHORD, error);
     if (status) {
+        kg_document_destroy(opened);
         free(copy);
         return status;
     }

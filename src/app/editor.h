@@ -53,7 +53,8 @@ typedef enum kg_request {
     KG_REQUEST_PALETTE,
     KG_REQUEST_HELP,
     KG_REQUEST_SETTINGS,
-    KG_REQUEST_RENAME
+    KG_REQUEST_RENAME,
+    KG_REQUEST_MENU
 } kg_request;
 
 /* The reference mesh as loaded. */
@@ -71,7 +72,7 @@ typedef struct kg_editor {
     uint64_t autosaved_state;
     kg_model *before; /* in a gesture: the model when it began */
     char gesture[64];
-    bool stale; /* the model changed since it was solved */
+    bool stale;      /* the model changed since it was solved */
     uint64_t solved; /* counts the solutions */
 
     kg_selection selection;

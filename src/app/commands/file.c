@@ -77,11 +77,16 @@ static kg_status set_reference_fields(kg_editor *e, const json_t *a, const char 
     const char *model_path = kg_document_path(e->document);
     bool visible = true;
     double size = ref->size_mm, opacity = ref->opacity;
+    const char *up = ref->up_y ? "y" : "z";
     kg_status status = kg_argument_number(a, "size_mm", &size, error);
     if (!status)
         status = kg_argument_number(a, "opacity", &opacity, error);
     if (!status)
         status = kg_argument_bool(a, "visible", &visible, error);
+    if (!status)
+        status = kg_argument_text(a, "up", &up, error);
+    if (!status && strcmp(up, "y") != 0 && strcmp(up, "z") != 0)
+        status = kg_fail(error, KG_ERR_INPUT, "\"up\" has to be \"y\" or \"z\"");
     if (!status && (size < 0 || size > 1e6 || opacity < 0 || opacity > 1))
         status =
             kg_fail(error, KG_ERR_INPUT, "\"size_mm\" has to be 0 to 1000000, \"opacity\" 0 to 1");
@@ -98,6 +103,7 @@ static kg_status set_reference_fields(kg_editor *e, const json_t *a, const char 
     ref->size_mm = size;
     ref->opacity = opacity;
     ref->visible = visible;
+    ref->up_y = up[0] == 'y';
     return KG_OK;
 }
 

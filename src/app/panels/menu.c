@@ -76,9 +76,9 @@ double kg_panel_menu(kg_app *app) {
     }
     if (kg_ui_menu_begin(_("Patch"))) {
         ITEMS(e, "patch.add", NULL, "patch.move", "patch.rotate", "patch.scale", NULL, "trim.by",
-              "trim.inside", "trim.contour", "patch.refit", NULL, "patch.flip",
-              "patch.construction", "patch.rename", NULL, "patch.hide", "patch.isolate",
-              "patch.show_all");
+              "trim.inside", "trim.contour", NULL, "patch.refit", "patch.planarize", "patch.narrow",
+              NULL, "patch.flip", "patch.construction", "patch.rename", NULL, "patch.hide",
+              "patch.isolate", "patch.show_all");
         kg_ui_menu_end();
     }
     if (kg_ui_menu_begin(_("View"))) {
@@ -94,6 +94,23 @@ double kg_panel_menu(kg_app *app) {
         kg_ui_menu_end();
     }
     return kg_ui_menu_bar_end();
+}
+
+void kg_panel_context_menu(kg_app *app) {
+    kg_editor *e = &app->editor;
+    if (app->dialogs.open_menu)
+        kg_ui_popup_open("context");
+    app->dialogs.open_menu = false;
+    if (!kg_ui_popup_begin("context"))
+        return;
+    if (kg_has_selection(e))
+        ITEMS(e, "patch.move", "patch.rotate", "patch.scale", NULL, "trim.by", "trim.inside",
+              "trim.contour", "patch.refit", NULL, "patch.flip", "patch.mirror", "patch.duplicate",
+              "patch.construction", "patch.rename", NULL, "patch.hide", "patch.isolate",
+              "view.frame_selection", NULL, "patch.delete");
+    else
+        ITEMS(e, "patch.add", "select.all", "patch.show_all", "view.frame_all", "reference.toggle");
+    kg_ui_popup_end();
 }
 
 /* ---- tool bar ---------------------------------------------------------------------------- */

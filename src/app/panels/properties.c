@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define FARTHEST 1e6
 
@@ -170,8 +171,28 @@ static void show_trims(kg_editor *e, int64_t id) {
     kg_ui_check(_("Trim inside also trims the cutters"), &e->trim_cutters);
 }
 
-static void show_issues(const kg_editor *e, int64_t patch) {
+/* A button for the edit that mends an issue; returns the command when it was pressed. */
+static const char *mend_button(const kg_issue *issue, size_t index) {
+    static const struct {
+        const char *code, *command;
+    } cures[] = {{"extent-clamped", "patch.narrow"},
+                 {"flat-ruling", "patch.planarize"},
+                 {"bad-patch", "patch.planarize"}};
+    const char *pressed = NULL;
+    for (size_t i = 0; i < sizeof cures / sizeof *cures; i++) {
+        if (strcmp(issue->code, cures[i].code) != 0)
+            continue;
+        kg_ui_id_push((int64_t)index);
+        if (kg_ui_small_button(_(kg_command_find(cures[i].command)->title)))
+            pressed = cures[i].command;
+        kg_ui_id_pop();
+    }
+    return pressed;
+}
+
+static void show_issues(kg_editor *e, int64_t patch) {
     const kg_solution *s = kg_editor_solution(e);
+    const char *command = NULL; /* run at the end: it solves anew */
     for (size_t i = 0; i < kg_solution_issue_count(s); i++) {
         const kg_issue *issue = kg_solution_issue(s, i);
         if (issue->patch != patch)
@@ -181,18 +202,22 @@ static void show_issues(const kg_editor *e, int64_t patch) {
                                                      : (kg_color){0.9F, 0.65F, 0.15F, 1},
                          issue->severity == KG_FAULT ? _("Fault") : _("Warning"));
         kg_ui_text_wrapped(issue->message);
+        command = command ? command : mend_button(issue, i);
     }
+    if (command)
+        kg_command_do(e, command);
 }
 
 static void show_patch(kg_app *app, int64_t id) {
     kg_editor *e = &app->editor;
-    kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
-    const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), id);
     char title[320];
-    snprintf(title, sizeof title, "%lld  %s", (long long)id, p->name);
+    snprintf(title, sizeof title, "%lld  %s", (long long)id,
+             kg_model_find(kg_editor_model(e), id)->name);
     kg_ui_text(title);
     kg_ui_id_push(id);
     show_issues(e, id);
+    kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
+    const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), id);
     show_points(e, p);
     show_extent(e, p, s);
     show_trims(e, id);
@@ -217,6 +242,9 @@ static void show_reference(kg_editor *e) {
     if (follow(e, result, N_("Reference opacity")))
         kg_editor_model(e)->reference.opacity = opacity;
     end_field(e, result);
+    bool up_y = ref->up_y;
+    if (kg_ui_check(_("y points up in the mesh"), &up_y))
+        run(e, "reference.set", json_pack("{s:s}", "up", up_y ? "y" : "z"));
     kg_ui_width(150);
     result = kg_ui_number(_("longest side"), &size, 1, 0, 1e5, "%.1f mm");
     if (follow(e, result, N_("Reference size")))

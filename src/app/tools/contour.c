@@ -1,4 +1,5 @@
 /* Drawing a contour or a hole on a patch by clicks. */
+#include "app/aim.h"
 #include "app/commands/commands.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
@@ -7,7 +8,7 @@
 
 #include <stdlib.h>
 
-enum { MOST_HITS = 32, EDGE_SAMPLES = 12 };
+enum { EDGE_SAMPLES = 12 };
 
 typedef struct state {
     int64_t patch;
@@ -19,21 +20,12 @@ typedef struct state {
     bool aimed;
 } state;
 
-/* Where the line of sight meets the patch, in (u, v): among its triangles, made exact by the
- * nearest point of the surface. */
+/* Where the line of sight meets the patch's rectangle, in (u, v). */
 static bool aim(const kg_editor *e, const state *s, kg_vec2 px, kg_vec2 *out) {
-    kg_hit hits[MOST_HITS];
-    size_t count = kg_editor_hits(e, px, hits, MOST_HITS);
     const kg_solved_patch *solved = kg_solution_find(kg_editor_solution(e), s->patch);
-    for (size_t i = 0; solved && i < count; i++) {
-        if (hits[i].patch != s->patch)
-            continue;
-        double u = hits[i].u, v = hits[i].v;
-        kg_patch_closest(&solved->patch, hits[i].point, &u, &v);
-        *out = kg_v2(u, v);
-        return true;
-    }
-    return false;
+    kg_vec3 origin, direction;
+    kg_pane_ray(&e->pane, px, &origin, &direction);
+    return solved && solved->prepared && kg_patch_aim(&solved->patch, origin, direction, out);
 }
 
 static void finish(kg_editor *e, bool outside) {

@@ -3,15 +3,25 @@
  * use.
  */
 #include "app/text.h"
+#include "app/tools/corner.h"
 #include "app/tools/drag.h"
+#include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
+#include "app/tools/tools.h"
 #include "base/array.h"
 
 #include <stdlib.h>
 
 enum { GRAB_DISTANCE = 9, MOST_HITS = 32 }; /* layout units; patches behind one another */
 
-typedef enum gesture { IDLE, PRESSED, DRAGGING_POINTS, DRAGGING_EXTENT, BOXING } gesture;
+typedef enum gesture {
+    IDLE,
+    PRESSED,
+    DRAGGING_POINTS,
+    DRAGGING_EXTENT,
+    DRAGGING_CORNER,
+    BOXING
+} gesture;
 
 typedef struct state {
     gesture gesture;
@@ -19,6 +29,7 @@ typedef struct state {
     bool on_patch; /* the press was over one */
     kg_point_drag drag;
     kg_extent_drag extent;
+    kg_corner corner;
     kg_vec2 cycled_at; /* where the last click was, to reach what lies behind */
     size_t depth;
 } state;
@@ -108,16 +119,28 @@ static void select_box(kg_editor *e, kg_vec2 a, kg_vec2 b, bool add) {
 
 static void press(kg_editor *e, state *s, const kg_event *event) {
     bool toggle = event->mods & KG_MOD_SHIFT;
+    kg_error error;
+    kg_gizmo_handle handle = kg_gizmo_under(e, event->position);
+    if (handle.any) { /* this tool ends here */
+        if (kg_tool_hold_transform(e, handle.kind, handle.axis, &error))
+            kg_editor_say(e, KG_FAULT, "%s", error.message);
+        return;
+    }
     s->pressed = event->position;
     s->gesture = PRESSED;
     hover(e, event->position);
     s->on_patch = e->hover_patch != 0;
-    if (kg_extent_drag_start(&s->extent, e, event->position)) {
+    s->corner = e->hover_point.patch ? (kg_corner){0} : kg_corner_under(e, event->position);
+    if (s->corner.patch) {
+        if (kg_editor_begin(e, N_("Move corner"), &error))
+            kg_editor_say(e, KG_FAULT, "%s", error.message);
+        else
+            s->gesture = DRAGGING_CORNER;
+    } else if (kg_extent_drag_start(&s->extent, e, event->position)) {
         s->gesture = DRAGGING_EXTENT;
     } else if (e->hover_point.patch) {
         if (toggle || !kg_editor_is_point_selected(e, e->hover_point))
             kg_editor_select_point(e, e->hover_point, toggle);
-        kg_error error;
         if (kg_point_drag_start(&s->drag, e, e->hover_point, event->position, &error))
             kg_editor_say(e, KG_FAULT, "%s", error.message);
         else
@@ -141,6 +164,9 @@ static void move(kg_editor *e, state *s, const kg_event *event) {
     case DRAGGING_EXTENT:
         kg_extent_drag_move(&s->extent, e, event->position, event->mods);
         break;
+    case DRAGGING_CORNER:
+        kg_corner_move(e, s->corner, event->position);
+        break;
     case BOXING:
         break;
     }
@@ -159,12 +185,21 @@ static void release(kg_editor *e, state *s, const kg_event *event) {
         break;
     case DRAGGING_POINTS:
     case DRAGGING_EXTENT:
+    case DRAGGING_CORNER:
         kg_editor_commit(e);
         break;
     case IDLE:
         break;
     }
     hover(e, event->position);
+}
+
+/* The menu is about the patch under the pointer, or the selection it belongs to. */
+static void open_menu(kg_editor *e, kg_vec2 px) {
+    kg_hit hit;
+    if (kg_editor_hits(e, px, &hit, 1) > 0 && !kg_editor_is_selected(e, hit.patch))
+        kg_editor_select(e, hit.patch, false);
+    e->request = KG_REQUEST_MENU;
 }
 
 static bool on_event(kg_editor *e, const kg_event *event) {
@@ -182,6 +217,10 @@ static bool on_event(kg_editor *e, const kg_event *event) {
         move(e, s, event);
         return true;
     case KG_EVENT_RELEASE:
+        if (event->button == KG_MOUSE_RIGHT && s->gesture == IDLE) {
+            open_menu(e, event->position);
+            return true;
+        }
         if (event->button != KG_MOUSE_LEFT || s->gesture == IDLE)
             return false;
         release(e, s, event);
@@ -202,6 +241,7 @@ static bool on_event(kg_editor *e, const kg_event *event) {
 static void draw(const kg_editor *e, kg_overlay *overlay) {
     const state *s = e->tool_state;
     kg_extent_drag_draw(e, overlay);
+    kg_corners_draw(e, overlay);
     if (!s)
         return;
     if (s->gesture == DRAGGING_POINTS || s->gesture == DRAGGING_EXTENT)

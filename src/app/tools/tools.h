@@ -18,6 +18,13 @@ typedef enum kg_transform_kind {
 kg_status kg_tool_start_transform(kg_editor *editor, kg_transform_kind kind,
                                   kg_error *error) KG_CHECKED;
 
+/* The same while the left button is held, along or about an axis (0 … 2, -1: none). */
+kg_status kg_tool_hold_transform(kg_editor *editor, kg_transform_kind kind, int axis,
+                                 kg_error *error) KG_CHECKED;
+
+/* The middle of what is selected, points at their level, else patches. */
+kg_vec3 kg_selection_center(const kg_editor *editor);
+
 /* A step that adds a trim to `patch` is open; a click chooses the pieces that stay. */
 kg_status kg_tool_start_pieces(kg_editor *editor, int64_t patch, kg_error *error) KG_CHECKED;
 

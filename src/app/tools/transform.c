@@ -37,7 +37,7 @@ static bool moves_points(const kg_editor *e) {
     return e->level == KG_LEVEL_POINTS && e->selection.points.count > 0;
 }
 
-static kg_vec3 center_of(const kg_editor *e) {
+kg_vec3 kg_selection_center(const kg_editor *e) {
     kg_box3 box = kg_box3_empty();
     if (!moves_points(e)) {
         for (size_t i = 0; i < e->selection.patches.count; i++) {
@@ -313,10 +313,20 @@ kg_status kg_tool_start_transform(kg_editor *e, kg_transform_kind kind, kg_error
     state *s = calloc(1, sizeof *s);
     if (!s)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    *s = (state){.kind = kind, .axis = -1, .center = center_of(e)};
+    *s = (state){.kind = kind, .axis = -1, .center = kg_selection_center(e)};
     s->pressed = s->aim = s->last = e->pointer;
     kg_editor_use(e, &kg_tool_transform, s);
     return kg_editor_begin(e, labels[kind], error);
+}
+
+kg_status kg_tool_hold_transform(kg_editor *e, kg_transform_kind kind, int axis, kg_error *error) {
+    kg_status status = kg_tool_start_transform(e, kind, error);
+    if (status)
+        return status;
+    state *s = e->tool_state;
+    s->axis = axis;
+    s->held = true;
+    return KG_OK;
 }
 
 const kg_tool kg_tool_transform = {

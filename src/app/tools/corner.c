@@ -1,0 +1,66 @@
+#include "app/tools/corner.h"
+
+#include "app/aim.h"
+
+enum { GRAB_DISTANCE = 8 };
+
+/* The patch whose corners are shown, and its geometry; NULL: none. */
+static const kg_model_patch *with_corners(const kg_editor *e, const kg_patch **out_patch) {
+    if (e->level != KG_LEVEL_POINTS || e->selection.patches.count != 1)
+        return NULL;
+    int64_t id = e->selection.patches.items[0];
+    const kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
+    const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), id);
+    if (!p || p->hidden || !s || !s->prepared)
+        return NULL;
+    *out_patch = &s->patch;
+    return p;
+}
+
+kg_corner kg_corner_under(const kg_editor *e, kg_vec2 px) {
+    const kg_patch *patch;
+    const kg_model_patch *p = with_corners(e, &patch);
+    kg_corner best = {0};
+    double nearest = GRAB_DISTANCE * e->pane.scale;
+    for (size_t n = 0; p && n < p->trim_count; n++)
+        for (size_t i = 0; i < p->trims[n].contour_count; i++) {
+            kg_vec2 uv = p->trims[n].contour[i], at;
+            if (!kg_pane_project(&e->pane, kg_patch_point(patch, uv.x, uv.y), &at) ||
+                kg_dist2(at, px) >= nearest)
+                continue;
+            nearest = kg_dist2(at, px);
+            best = (kg_corner){p->id, n, i};
+        }
+    return best;
+}
+
+void kg_corner_move(kg_editor *e, kg_corner c, kg_vec2 px) {
+    kg_model_patch *p = kg_model_find(kg_editor_model(e), c.patch);
+    const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), c.patch);
+    kg_vec3 origin, direction;
+    kg_vec2 uv;
+    kg_pane_ray(&e->pane, px, &origin, &direction);
+    if (!p || !s || !s->prepared || c.trim >= p->trim_count ||
+        c.corner >= p->trims[c.trim].contour_count ||
+        !kg_patch_aim(&s->patch, origin, direction, &uv))
+        return;
+    p->trims[c.trim].contour[c.corner] = uv;
+    kg_editor_touch(e);
+}
+
+void kg_corners_draw(const kg_editor *e, kg_overlay *overlay) {
+    const kg_patch *patch;
+    const kg_model_patch *p = with_corners(e, &patch);
+    kg_corner under = kg_corner_under(e, e->pointer);
+    for (size_t n = 0; p && n < p->trim_count; n++)
+        for (size_t i = 0; i < p->trims[n].contour_count; i++) {
+            kg_vec2 uv = p->trims[n].contour[i];
+            kg_vec3 at = kg_patch_point(patch, uv.x, uv.y);
+            bool hovered = under.patch && under.trim == n && under.corner == i;
+            kg_style style = kg_style_default(hovered ? (kg_color){1, 0.82F, 0.1F, 1}
+                                                      : (kg_color){0.35F, 0.85F, 0.75F, 1});
+            style.size_px = hovered ? 10 : 7;
+            style.hidden = 0.5F;
+            kg_overlay_points(overlay, &at, 1, style);
+        }
+}
