@@ -11,6 +11,9 @@
  * ON_EDGE at flat angles. */
 #define BLUR 40.0
 
+/* Both sides of a seam are the same curve: a corner this far from it, mm, lies beyond its end. */
+#define ON_CURVE 1e-6
+
 /* Places are looked up this often, mm: what is narrower neither holds glue nor needs it. */
 #define STEP 2.0
 
@@ -323,10 +326,13 @@ static double position_near(const kg_pieces *all, kg_edge_ref edge, double posit
         if (!kg_piece_closed(all, edge))
             position = fmin(fmax(position, 0), count);
     }
-    return grained(position);
+    /* no two points of an outline where one will do */
+    kg_vec3 nearest = kg_piece_point(all, edge, round(position), NULL).x;
+    return kg_dist(nearest, x) <= ON_CURVE ? round(position) : grained(position);
 }
 
-/* Moves one end of a stretch, and that of the stretch that touches it there. */
+/* Moves one end of a stretch, and that of the contact that touches it there; another seam ends at a
+ * corner of its own. */
 static void move_end(kg_pieces *all, size_t index, bool last, double position) {
     kg_stretch *s = &all->stretches[index];
     double *end = last ? &s->to : &s->from, count = (double)kg_piece_edge(all, s->edge)->count;
@@ -336,27 +342,49 @@ static void move_end(kg_pieces *all, size_t index, bool last, double position) {
     for (size_t i = first; i < behind; i++) {
         double *other = last ? &all->stretches[i].from : &all->stretches[i].to;
         double gap = *other - *end;
-        if (i != index && (gap == 0 || (closed && fabs(gap) == count)))
+        if (i != index && !all->stretches[i].seam && (gap == 0 || (closed && fabs(gap) == count)))
             *other = position + gap;
     }
     *end = position;
 }
 
-/* Both sides of a seam end at the same points of space: where one ends at a corner of its part, the
- * other's end, found to chord errors only, is moved there. */
+/* Moves one end of stretch `to` to where an end of another lies on its edge; false when it does not
+ * lie on it, or is no corner of its part but found to chord errors only. */
+static bool follow_end(kg_pieces *all, const kg_stretch *from, bool last, size_t to, bool last_to) {
+    double corner = last ? from->to : from->from;
+    const kg_stretch *s = &all->stretches[to];
+    if (!is_vertex(all, from->edge, corner))
+        return false;
+    kg_vec3 x = kg_piece_point(all, from->edge, corner, NULL).x;
+    double position = position_near(all, s->edge, last_to ? s->to : s->from, x);
+    if (kg_dist(kg_piece_point(all, s->edge, position, NULL).x, x) > ON_CURVE)
+        return false;
+    move_end(all, to, last_to, position);
+    return true;
+}
+
+/* Both sides of a seam end at the same points of space: at the first corner of either part. */
 static void align_ends(kg_pieces *all, size_t index) {
-    kg_stretch *a = &all->stretches[index], *b = &all->stretches[a->mate];
-    if (kg_piece_closed(all, a->edge) && kg_piece_closed(all, b->edge))
-        return;
+    const kg_stretch *a = &all->stretches[index], *b = &all->stretches[a->mate];
     for (int end = 0; end < 2; end++) {
         bool last = end, last_b = end ^ a->mate_reversed;
-        double pa = last ? a->to : a->from, pb = last_b ? b->to : b->from;
-        if (!is_vertex(all, b->edge, pb))
-            move_end(all, a->mate, last_b,
-                     position_near(all, b->edge, pb, kg_piece_point(all, a->edge, pa, NULL).x));
-        else if (!is_vertex(all, a->edge, pa))
-            move_end(all, index, last,
-                     position_near(all, a->edge, pa, kg_piece_point(all, b->edge, pb, NULL).x));
+        if (!follow_end(all, a, last, a->mate, last_b))
+            follow_end(all, b, last_b, index, last);
+    }
+}
+
+/* Where more than two edges run along one curve, the third takes its ends from its mate, which has
+ * a mate of its own; where it does not reach as far it is left out. */
+static void take_ends(kg_pieces *all, size_t index) {
+    kg_stretch *a = &all->stretches[index];
+    const kg_stretch *b = &all->stretches[a->mate];
+    for (int end = 0; end < 2 && !a->single; end++) {
+        bool last_b = end ^ a->mate_reversed;
+        kg_vec3 x = kg_piece_point(all, b->edge, last_b ? b->to : b->from, NULL).x;
+        double position = position_near(all, a->edge, end ? a->to : a->from, x);
+        a->single = kg_dist(kg_piece_point(all, a->edge, position, NULL).x, x) > ON_CURVE;
+        if (!a->single)
+            move_end(all, index, end, position);
     }
 }
 
@@ -373,8 +401,15 @@ static void mate_stretches(kg_pieces *all) {
         s->single = all->items[s->partner.piece].patch->id != kg_piece_edge(all, s->edge)->source;
     }
     for (size_t i = 0; i < all->stretch_count; i++)
-        if (all->stretches[i].mate > i)
+        if (all->stretches[i].mate > i && all->stretches[all->stretches[i].mate].mate == i)
             align_ends(all, i);
+    for (size_t i = 0; i < all->stretch_count; i++)
+        if (all->stretches[all->stretches[i].mate].mate != i)
+            take_ends(all, i);
+    for (size_t i = 0; i < all->stretch_count; i++) { /* nothing may be left between the ends */
+        kg_stretch *s = &all->stretches[i], *mate = &all->stretches[s->mate];
+        s->single = s->single || s->to <= s->from || mate->to <= mate->from;
+    }
 }
 
 kg_status kg_pieces_find_stretches(kg_pieces *pieces) {

@@ -68,6 +68,15 @@ static inline kg_trim_op random_trim(kg_random *r, const kg_model *m, int64_t id
         by = m->patches[kg_random_bits(r) % m->patch_count].id;
     while (by == id);
     kg_trim_op op = trim_by(by);
+    if (kg_random_bits(r) % 4 == 0 && m->patch_count > 3) { /* by several */
+        op.kind = KG_TRIM_INSIDE;
+        op.trim_cutters = kg_random_bits(r) & 1;
+        op.by = checked(realloc(op.by, 2 * sizeof *op.by));
+        do
+            op.by[1] = m->patches[kg_random_bits(r) % m->patch_count].id;
+        while (op.by[1] == id || op.by[1] == by);
+        op.by_count = 2;
+    }
     op.bounded = kg_random_bits(r) % 6 == 0;
     for (uint64_t n = kg_random_bits(r) % 3; n > 0; n--)
         keep_near(&op, random_place(r));
