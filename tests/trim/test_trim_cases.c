@@ -278,7 +278,7 @@ static void only_the_trimmed_region_of_a_bounded_cutter_cuts(void **state) {
 
 /* Distance to a region by a fine grid of its patch: never too small, at most `grain` too large. */
 static double grid_distance(const kg_patch *p, const kg_region *r, kg_vec3 at, double *out_grain) {
-    enum { N = 240 };
+    enum { N = 100 };
     double best = INFINITY, du = (p->extent[1] - p->extent[0]) / N, widest = 0;
     kg_vec3 last = {0, 0, 0};
     for (int j = 0; j <= N; j++)
@@ -299,7 +299,7 @@ static double grid_distance(const kg_patch *p, const kg_region *r, kg_vec3 at, d
 static void each_keep_point_keeps_the_piece_nearest_to_it(void **state) {
     (void)state;
     kg_random r = {115};
-    for (int done = 0; done < 60;) {
+    for (int done = 0; done < 30;) {
         scene s = {.count = 2};
         for (size_t i = 0; i < 2; i++)
             s.patches[i] =
