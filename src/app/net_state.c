@@ -3,6 +3,7 @@
 #include "app/export.h"
 #include "document/pin.h"
 #include "net/clash.h"
+#include "net/sheet.h"
 
 #include <pthread.h>
 #include <stdatomic.h>
@@ -60,44 +61,38 @@ static bool keep_on(void *user, double fraction, const char *what) {
     return !atomic_load(&j->superseded) && !atomic_load(&j->cancelled);
 }
 
-/* The places of the parts in the picture before; NULL when there are others now. */
-static kg_net_layout *keep_places(const job *j, const kg_net *net, kg_vec2 page) {
+/* A layout with the places of the picture before; NULL when there are other parts now. */
+static kg_net_layout *keep_places(const job *j, const kg_net_picture *p) {
+    const kg_net *net = p->net.net;
+    kg_sheet sheet;
     kg_net_layout *layout = calloc(1, sizeof *layout);
-    if (!layout || !(layout->placements = calloc(net->part_count + 1, sizeof *layout->placements)))
-        goto fail;
-    layout->part_count = net->part_count;
-    layout->page_count = j->page_count;
-    layout->page_size = page;
-    layout->scale = 1;
-    for (size_t i = 0; i < net->part_count; i++) {
+    bool ok = layout && !kg_sheet_from_options(&p->options, &sheet, NULL) && !sheet.endless &&
+              (layout->placements = calloc(net->part_count + 1, sizeof *layout->placements));
+    for (size_t i = 0; ok && i < net->part_count; i++) {
         size_t piece = kg_pin_piece(net, i), k = 0;
         while (k < j->seat_count &&
                (j->seats[k].source != net->parts[i].source || j->seats[k].piece != piece))
             k++;
-        if (k == j->seat_count)
-            goto fail;
-        layout->placements[i] = j->seats[k].place;
+        if ((ok = k < j->seat_count))
+            layout->placements[i] = j->seats[k].place;
     }
+    if (!ok) {
+        kg_net_layout_destroy(layout);
+        return NULL;
+    }
+    layout->part_count = net->part_count;
+    layout->page_count = j->page_count;
+    layout->page_size = sheet.size;
+    layout->scale = p->options.scale;
     return layout;
-fail:
-    kg_net_layout_destroy(layout);
-    return NULL;
 }
 
 static kg_status lay_out(job *j, kg_net_picture *p, kg_error *error) {
     kg_net_options rows = p->options;
     const kg_progress progress = {keep_on, j};
     rows.nest = false;
-    if (j->rough && p->options.paper.x > 0) {
-        kg_vec2 page = p->options.paper;
-        if (p->options.landscape && page.x < page.y)
-            page = kg_v2(page.y, page.x);
-        p->layout = keep_places(j, p->net.net, page);
-        if (p->layout)
-            p->layout->scale = p->options.scale;
-        if (p->layout)
-            return KG_OK;
-    }
+    if (j->rough && (p->layout = keep_places(j, p)))
+        return KG_OK;
     if (j->rough)
         return kg_net_layout_create(p->net.net, &rows, NULL, &p->layout, error);
     kg_status status = kg_net_layout_create(p->net.net, &p->options, &progress, &p->layout, error);

@@ -1,0 +1,87 @@
+/*
+ * Looking at the pages of a net and arranging its parts: which part of the window shows them, what
+ * lies under the pointer, and what the mouse does there.
+ *
+ * Pages lie on a board, in rows; board coordinates are mm from the upper left corner of the first.
+ */
+#ifndef KG_APP_NET_VIEW_H
+#define KG_APP_NET_VIEW_H
+
+#include "app/net_state.h"
+
+/* Between pages on the board, mm. */
+#define KG_BOARD_GAP 12.0
+
+typedef enum kg_net_gesture {
+    KG_NET_IDLE,
+    KG_NET_PRESSED,
+    KG_NET_PANNING,
+    KG_NET_MOVING, /* a part */
+    KG_NET_TURNING
+} kg_net_gesture;
+
+typedef struct kg_net_view {
+    kg_net_state *state;
+    kg_area area; /* pixels; empty: not shown */
+    double scale; /* pixels per layout unit */
+    double zoom;  /* pixels per mm */
+    kg_vec2 pan;  /* pixel of the board's origin */
+    int columns;  /* of pages */
+    bool fitted;  /* all pages are shown, and will be when there are others */
+    size_t fitted_pages;
+    uint64_t revision; /* of the picture that the indices below are about */
+
+    int hover_part, hover_join, active_part; /* -1: none. The active one shows its handle. */
+    kg_net_gesture gesture;
+    bool foreign; /* a button is held that was pressed elsewhere */
+    int button;
+    kg_vec2 pressed, last;
+    int moved_part; /* -1: none; lies at `moved` until the next picture */
+    kg_net_placement moved, before;
+    unsigned *clashes; /* with the moved part where it is; NULL: those of the picture */
+    bool open_menu;    /* of menu_part and menu_join, -1: none */
+    int menu_part, menu_join;
+    size_t listed; /* warnings below the pages */
+} kg_net_view;
+
+kg_status kg_net_view_init(kg_net_view *view, kg_error *error) KG_CHECKED;
+void kg_net_view_clear(kg_net_view *view);
+
+/* Follows the editor; true when there is something new to show. `area`: of the pages. */
+bool kg_net_view_follow(kg_net_view *view, const kg_editor *editor, kg_area area, double scale);
+/* True: the event is used up. */
+bool kg_net_view_event(kg_net_view *view, kg_editor *editor, const kg_event *event);
+void kg_net_view_fit(kg_net_view *view);
+/* Brings a part to the middle and makes it the active one. */
+void kg_net_view_show_part(kg_net_view *view, size_t part);
+
+/* ---- places ----------------------------------------------------------------------------- */
+
+kg_vec2 kg_net_view_to_px(const kg_net_view *view, kg_vec2 board);
+kg_vec2 kg_net_view_to_board(const kg_net_view *view, kg_vec2 px);
+/* The upper left corner of a page on the board. */
+kg_vec2 kg_net_view_page_origin(const kg_net_view *view, int page);
+/* Pages shown: one more than there are while a part is moved. */
+size_t kg_net_view_page_count(const kg_net_view *view);
+kg_net_placement kg_net_view_placement(const kg_net_view *view, size_t part);
+/* That placement turned about the part's middle. */
+kg_net_placement kg_net_view_turned(const kg_net_view *view, size_t part, double angle);
+/* Pixel of a point of a part, in the part's own coordinates. */
+kg_vec2 kg_net_view_part_px(const kg_net_view *view, size_t part, kg_vec2 p);
+/* The box of a part, pixels. */
+kg_box2 kg_net_view_part_box(const kg_net_view *view, size_t part);
+/* Where the handle that turns the active part is; false when there is none. */
+bool kg_net_view_handle(const kg_net_view *view, kg_vec2 *out_center, kg_vec2 *out_handle);
+/* What is wrong with where a part lies: see net/clash.h. */
+unsigned kg_net_view_clash(const kg_net_view *view, size_t part);
+
+/* ---- what lies under a pixel ------------------------------------------------------------ */
+
+int kg_net_view_part_at(const kg_net_view *view, kg_vec2 px);
+/* The join whose edge or number is there, the nearest first. */
+int kg_net_view_join_at(const kg_net_view *view, kg_vec2 px);
+
+/* The points of a side of a join, in the coordinates of its part; false for a side in no part. */
+bool kg_net_side_points(const kg_net *net, const kg_net_side *side, size_t index, kg_vec2 *out);
+
+#endif
