@@ -198,7 +198,6 @@ void kg_editor_commit(kg_editor *e) {
     kg_editor_touch(e);
     if (kg_history_push(&e->history, before, state, e->gesture, &error))
         kg_editor_say(e, KG_FAULT, "%s", error.message);
-    kg_editor_update(e);
 }
 
 void kg_editor_cancel(kg_editor *e) {
@@ -208,7 +207,6 @@ void kg_editor_cancel(kg_editor *e) {
     kg_model_destroy(e->before);
     e->before = NULL;
     kg_editor_touch(e);
-    kg_editor_update(e);
 }
 
 kg_status kg_editor_finish(kg_editor *e, kg_status status) {

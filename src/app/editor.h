@@ -134,7 +134,8 @@ kg_status kg_editor_finish(kg_editor *editor, kg_status status);
 bool kg_editor_undo(kg_editor *editor);
 bool kg_editor_redo(kg_editor *editor);
 
-/* Solves what changed. */
+/* Solves what changed. The app does so after each event and each command, so that what a panel or
+ * a tool holds of the solution stays good until it returns. */
 void kg_editor_update(kg_editor *editor);
 
 /* Shows a message in the status bar, or clears it (`format` ""). */

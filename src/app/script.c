@@ -1,12 +1,14 @@
 #include "app/script.h"
 
 #include "app/commands/commands.h"
+#include "app/monkey.h"
 #include "app/tools/tool.h"
 #include "base/file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #define FRAME (1.0 / 60)
 
@@ -231,10 +233,22 @@ static kg_status do_drop(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
+/* Until nothing goes on in the background. */
+static void wait_idle(script *s) {
+    const struct timespec tick = {.tv_nsec = 2000000};
+    for (kg_app_run_events(s->app, FRAME); s->app->busy; kg_app_run_events(s->app, FRAME))
+        nanosleep(&tick, NULL);
+    kg_app_run_events(s->app, FRAME);
+}
+
 static kg_status do_wait(script *s, const char *words, kg_error *error) {
     double seconds;
+    if (*skip_spaces(words) == '\0') {
+        wait_idle(s);
+        return KG_OK;
+    }
     if (!next_number(&words, &seconds))
-        return kg_fail(error, KG_ERR_INPUT, "wait needs a number of seconds");
+        return kg_fail(error, KG_ERR_INPUT, "wait needs a number of seconds, or nothing");
     kg_app_run_events(s->app, seconds);
     return KG_OK;
 }
@@ -284,13 +298,35 @@ static kg_status do_resize(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
+/* Random events: clicks and drags all over the window, keys with and without modifiers. */
+static kg_status do_monkey(script *s, const char *words, kg_error *error) {
+    double count, seed;
+    if (!next_number(&words, &count) || !next_number(&words, &seed))
+        return kg_fail(error, KG_ERR_INPUT, "monkey needs a number of events and a seed");
+    kg_status status = KG_OK;
+    uint64_t state = (uint64_t)seed;
+    for (int i = 0; i < (int)count && !status; i++) {
+        kg_event event = kg_monkey_event(&state, s->app->width, s->app->height, s->pointer);
+        s->pointer = event.position;
+        send(s, event);
+        s->app->quit = false;
+        status = kg_monkey_check(s->app, error);
+        if (status)
+            kg_fail_in(error, status, "event %d: ", i + 1);
+    }
+    for (int button = 0; button < KG_MOUSE_COUNT; button++)
+        send(s, (kg_event){.type = KG_EVENT_RELEASE, .button = button});
+    return status;
+}
+
 static const struct {
     const char *name;
     kg_status (*run)(script *, const char *, kg_error *);
-} verbs[] = {{"move", do_move},     {"click", do_click}, {"drag", do_drag},       {"key", do_key},
-             {"text", do_text},     {"wheel", do_wheel}, {"open", do_open},       {"save", do_save},
-             {"drop", do_drop},     {"wait", do_wait},   {"command", do_command}, {"fail", do_fail},
-             {"expect", do_expect}, {"shot", do_shot},   {"resize", do_resize}};
+} verbs[] = {
+    {"move", do_move},     {"click", do_click}, {"drag", do_drag},       {"key", do_key},
+    {"text", do_text},     {"wheel", do_wheel}, {"open", do_open},       {"save", do_save},
+    {"drop", do_drop},     {"wait", do_wait},   {"command", do_command}, {"fail", do_fail},
+    {"expect", do_expect}, {"shot", do_shot},   {"resize", do_resize},   {"monkey", do_monkey}};
 
 static kg_status run_line(script *s, const char *line, kg_error *error) {
     char verb[32];

@@ -45,8 +45,11 @@ static kg_status mesh_of_patch(const kg_solved_patch *p, const kg_model_patch *m
         free(piece.face_starts);
         kg_tessellation_clear(&t);
     }
-    if (!status && !(mesh->groups = calloc(1, sizeof *mesh->groups)))
-        status = KG_ERR_MEMORY;
+    if (!status) {
+        free(mesh->groups); /* appending may have made room for none */
+        mesh->groups = calloc(1, sizeof *mesh->groups);
+        status = mesh->groups ? KG_OK : KG_ERR_MEMORY;
+    }
     if (!status) {
         mesh->group_count = 1;
         mesh->groups[0].face_count = mesh->face_count;

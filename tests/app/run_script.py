@@ -10,13 +10,13 @@ import subprocess
 import sys
 import tempfile
 
-program, script = sys.argv[1], pathlib.Path(sys.argv[2])
+program, script = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 
 with tempfile.TemporaryDirectory() as folder:
     environment = dict(os.environ, TMP=folder, HERE=str(script.parent), HOME=folder, LANGUAGE="C",
                        XDG_CONFIG_HOME=f"{folder}/config", XDG_STATE_HOME=f"{folder}/state")
     done = subprocess.run([program, "edit", "--headless", "--script", script], check=False,
-                          capture_output=True, text=True, env=environment)
+                          capture_output=True, text=True, env=environment, cwd=folder)
     sys.stderr.write(done.stderr)
     cannot_draw = done.returncode == 1 and ("EGL" in done.stderr or "OpenGL" in done.stderr)
     sys.exit(77 if cannot_draw else done.returncode)

@@ -103,7 +103,7 @@ static const char *const mouse[][3] = {
     {N_("Select"), N_("Click; Shift adds; again: what lies behind"), NULL},
     {N_("Select several"), N_("Drag over empty space"), NULL},
     {N_("Drag a control point"),
-     N_("On the reference; Alt: on the screen; Ctrl: steps; Shift: fine"), NULL},
+     N_("Alt: off the reference; Ctrl: steps; Shift: fine"), NULL},
 };
 
 static void help_row(const char *what, const char *keys) {

@@ -352,8 +352,14 @@ void kg_ui_popup_open(const char *id) {
     ImGui::OpenPopup(id);
     ui.unsettled = 2;
 }
+/* Escape closes what it would close elsewhere; Dear ImGui alone leaves it open. */
+static bool closed_by_escape(bool open) {
+    if (open && kg_ui_key_pressed(KG_KEY_ESCAPE))
+        ImGui::CloseCurrentPopup();
+    return open;
+}
 bool kg_ui_popup_begin(const char *id) {
-    return ImGui::BeginPopup(id);
+    return closed_by_escape(ImGui::BeginPopup(id));
 }
 bool kg_ui_modal_begin(const char *id, double width) {
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Always,
@@ -394,7 +400,7 @@ bool kg_ui_menu_begin(const char *label) {
     bool open = ImGui::BeginMenu(see(label));
     if (!open)
         shown(label, true);
-    return open;
+    return closed_by_escape(open);
 }
 void kg_ui_menu_end(void) {
     ImGui::EndMenu();
