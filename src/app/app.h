@@ -8,6 +8,7 @@
 
 #include "app/dialogs.h"
 #include "app/editor.h"
+#include "app/net_view.h"
 #include "app/scenery.h"
 
 /* The ball of axes as it was last drawn. */
@@ -25,6 +26,7 @@ typedef struct kg_app {
     double scale;      /* of the screen, 1 without HiDPI */
     kg_dialogs dialogs;
     kg_axes_ball axes;
+    kg_net_view net_view;
     double autosaved; /* clock of the last autosave */
     bool framed;      /* the camera was set to the document at least once */
     bool quit;

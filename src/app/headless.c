@@ -78,6 +78,7 @@ static kg_status run(kg_app *app, const kg_run_options *o, kg_error *error) {
     kg_status status = KG_OK;
     canvas c = {.app = app};
     app->editor.settings.autosave_minutes = 0;
+    app->editor.settings.net_view = false; /* until a script asks for it */
     if (o->model)
         status = kg_editor_open(&app->editor, o->model, error);
     kg_app_run_events(app, 0);

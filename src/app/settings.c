@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 
 void kg_settings_default(kg_settings *s) {
-    *s = (kg_settings){.scale = 1, .autosave_minutes = 2, .lift = 0, .step = 1};
+    *s = (kg_settings){.scale = 1, .autosave_minutes = 2, .net_view = true, .lift = 0, .step = 1};
 }
 
 void kg_settings_clear(kg_settings *s) {
@@ -91,6 +91,8 @@ void kg_settings_read(kg_settings *s) {
     read_number(root, "autosave_minutes", 0, 1440, &s->autosave_minutes);
     read_number(root, "lift", -1e3, 1e3, &s->lift);
     read_number(root, "step", 1e-3, 1e3, &s->step);
+    if (json_is_boolean(json_object_get(root, "net_view")))
+        s->net_view = json_is_true(json_object_get(root, "net_view"));
     const json_t *recent = json_object_get(root, "recent");
     for (size_t i = json_array_size(recent); i-- > 0;)
         if (json_is_string(json_array_get(recent, i)))
@@ -106,10 +108,11 @@ kg_status kg_settings_write(const kg_settings *s, kg_error *error) {
     for (int i = 0; i < KG_RECENT_COUNT && s->recent[i]; i++)
         json_array_append_new(recent, json_string(s->recent[i]));
     json_t *root =
-        json_pack("{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:o}", "language", s->language, "navigation",
-                  s->navigation == KG_NAVIGATION_BLENDER ? "blender" : "default", "theme",
-                  s->theme == KG_UI_LIGHT ? "light" : "dark", "scale", s->scale, "autosave_minutes",
-                  s->autosave_minutes, "lift", s->lift, "step", s->step, "recent", recent);
+        json_pack("{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:b, s:o}", "language", s->language,
+                  "navigation", s->navigation == KG_NAVIGATION_BLENDER ? "blender" : "default",
+                  "theme", s->theme == KG_UI_LIGHT ? "light" : "dark", "scale", s->scale,
+                  "autosave_minutes", s->autosave_minutes, "lift", s->lift, "step", s->step,
+                  "net_view", s->net_view, "recent", recent);
     char *text = root ? kg_json_text(root) : NULL;
     kg_status status = text ? kg_file_write(path, text, strlen(text), error)
                             : kg_fail(error, KG_ERR_MEMORY, "out of memory");

@@ -13,6 +13,7 @@ typedef struct kg_settings {
     kg_ui_theme theme;
     double scale;                  /* of the whole user interface, 1 is normal */
     double autosave_minutes;       /* 0: never */
+    bool net_view;                 /* beside the model */
     double lift;                   /* mm, how far new patches lie off the reference */
     double step;                   /* mm, to which Ctrl rounds movements */
     char *recent[KG_RECENT_COUNT]; /* the latest first, NULL behind the last */

@@ -87,6 +87,7 @@ double kg_panel_menu(kg_app *app) {
         item(e, "view.ortho", e->pane.camera.ortho);
         ITEMS(e, NULL, "view.frame_selection", "view.frame_all", NULL);
         item(e, "reference.toggle", ref->file && ref->visible);
+        item(e, "view.net", e->settings.net_view);
         kg_ui_menu_end();
     }
     if (kg_ui_menu_begin(_("Help"))) {

@@ -16,6 +16,7 @@ void kg_panels_show(kg_app *app) {
     double list = floor(OUTLINER_SHARE * middle);
     app->editor.pane.area =
         (kg_area){tools, floor(menu), fmax(floor(width - side - tools), 1), floor(middle)};
+    kg_panel_net(app);
     kg_panel_handles(app);
     kg_panel_axes(app);
     kg_panel_toolbar(app, (kg_area){0, menu, tools, middle});

@@ -210,6 +210,11 @@ void kg_ui_canvas_rect(kg_area area, kg_color color, double rounding_px);
 void kg_ui_canvas_frame(kg_area area, kg_color color, double width_px, double rounding_px);
 /* Text with its middle at `at`. */
 void kg_ui_canvas_text(kg_vec2 at, kg_color color, const char *text);
+/* The same turned by `angle` (x towards y), `at` being the middle of a box as high as capitals. */
+void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double capital_px, kg_color color,
+                              const char *text);
+/* Lets kg_ui_find find something drawn. */
+void kg_ui_name(const char *label, kg_area area);
 /* An area of the window that takes the mouse, to draw into and to interact with. */
 kg_area kg_ui_canvas_area(const char *label, double width, double height);
 
