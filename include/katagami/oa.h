@@ -231,12 +231,9 @@ typedef struct kg_oa_hinge {
     kg_oa_tuple ends[2];
 } kg_oa_hinge;
 
-/* Stability: patches, hinges, and which patches stay loose when the card is open.
- *
- * Rule R2: with a virtual hinge from back to base the graph of patches is biconnected: nothing
- * hangs on a single patch. Rule R3: back and base are stable; a patch hinged to two stable patches
- * in different planes is stable; a hinged pair P-Q is stable if P hangs on a stable A not in Q's
- * plane and Q on a stable B not in P's plane; repeat. Linear time. */
+/* Stability: patches, hinges, and which patches stay loose when the card is open. Linear time; see
+ * src/oa/stability.c for the rule. A flap is a patch outside the biconnected part of the graph of
+ * patches (with a hinge from back to base added) that holds both. */
 typedef struct kg_oa_stability {
     size_t patch_count;
     kg_oa_patch *patches;

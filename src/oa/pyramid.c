@@ -133,11 +133,13 @@ static void set_ends(kg_oa_pyramid *p) {
     p->large = a < b ? b : a;
 }
 
-/* Drops end columns that are tied or whose box meets an earlier pyramid's, and checks the rest. */
-static bool settle(const finder *f, kg_oa_pyramid *p) {
-    while (p->first < p->last && tied(f, p, p->first, p->first - 1))
+/* Drops end columns that are tied and checks the rest. The end at the apex is not tied to a twin
+ * (`shared`), which bends the same way there. */
+static bool settle(const finder *f, kg_oa_pyramid *p, bool shared) {
+    bool first_free = shared && p->side > 0, last_free = shared && p->side < 0;
+    while (p->first < p->last && !first_free && tied(f, p, p->first, p->first - 1))
         p->first++;
-    while (p->first < p->last && tied(f, p, p->last, p->last + 1))
+    while (p->first < p->last && !last_free && tied(f, p, p->last, p->last + 1))
         p->last--;
     if (p->first == p->last)
         return false;
@@ -165,23 +167,50 @@ static bool used(const finder *f, const block *b, int x) {
     return false;
 }
 
-/* The longest run from column x on whose k changes by `side`; a block that an earlier pyramid has
- * belongs to that one. */
+/* The longest run from column x, towards `step`, whose k grows or falls by `rise` at each column; a
+ * block that an earlier pyramid has belongs to that one. Returns its last column. */
+static int run_from(const finder *f, int x, const block *b, int step, int rise) {
+    block next = *b;
+    for (next.k += rise; holds(f->oa, x + step, &next) && !used(f, &next, x + step); next.k += rise)
+        x += step;
+    return x;
+}
+
+/* Two pyramids apex to apex: the columns on both sides of the apex are alike and joined, and stay
+ * so when both bend. Returns false when there is no such pair. */
+static bool find_twins(const finder *f, kg_oa_pyramid *p, kg_oa_pyramid *out_twin) {
+    block b = {p->notch, p->y, p->z, 1};
+    int x = p->first - 1;
+    if (p->side < 0 || k_of(p, p->first) != 1 || !holds(f->oa, x, &b) || used(f, &b, x))
+        return false;
+    kg_oa_pyramid a = *p, twin = *p;
+    twin.side = -1;
+    twin.first = run_from(f, x, &b, -1, 1);
+    twin.last = x;
+    if (!settle(f, &a, true) || !settle(f, &twin, true))
+        return false;
+    *p = a;
+    *out_twin = twin;
+    return true;
+}
+
+/* The run from column x on whose k changes by `side`. False when memory runs out. */
 static bool find_from(finder *f, int x, const block *b, int side) {
-    block before = {b->notch, b->y, b->z, b->k - side}, next = *b;
+    block before = {b->notch, b->y, b->z, b->k - side};
     if (holds(f->oa, x - 1, &before) && !used(f, &before, x - 1))
         return true; /* the run began further left */
-    int last = x;
-    for (next.k += side; holds(f->oa, last + 1, &next) && !used(f, &next, last + 1); next.k += side)
-        last++;
-    kg_oa_pyramid p = {.notch = b->notch,
-                       .y = b->y,
-                       .z = b->z,
-                       .apex = side > 0 ? x - b->k + 1 : x + b->k,
-                       .side = side,
-                       .first = x,
-                       .last = last};
-    return last == x || !settle(f, &p) || kg_push(&f->found, p);
+    kg_oa_pyramid twin, p = {.notch = b->notch,
+                             .y = b->y,
+                             .z = b->z,
+                             .apex = side > 0 ? x - b->k + 1 : x + b->k,
+                             .side = side,
+                             .first = x,
+                             .last = run_from(f, x, b, 1, side)};
+    if (p.first == p.last)
+        return true;
+    if (find_twins(f, &p, &twin))
+        return kg_push(&f->found, p) && kg_push(&f->found, twin);
+    return !settle(f, &p, false) || kg_push(&f->found, p);
 }
 
 static bool find_in_column(finder *f, int x, int side) {

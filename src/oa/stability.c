@@ -1,4 +1,4 @@
-/* Which patches follow from the opening of the card, and which hang on a single one (oa.h). */
+/* The graph of patches, and which of them hang on a single one. */
 #include "oa/stability.h"
 
 #include <stdlib.h>
@@ -43,58 +43,7 @@ void kg_oa_neighbours_clear(kg_oa_neighbours *n) {
     free(n->hinges);
 }
 
-/* ---- rule R3 ---------------------------------------------------------------------------- */
-
-typedef struct closure {
-    kg_oa_stability *s;
-    const kg_oa_neighbours *n;
-    int *held; /* per patch: plane of the first stable patch it is hinged to, -1: none */
-    int *queue;
-    size_t count;
-} closure;
-
-static void settle(closure *c, int patch) {
-    if (c->s->patches[patch].stable)
-        return;
-    c->s->patches[patch].stable = true;
-    c->queue[c->count++] = patch;
-}
-
-/* Patch `p` is now held in plane held[p]: does that settle a pair? Both hang on one plane only, or
- * they would be stable. */
-static void pair_up(closure *c, int p) {
-    const kg_oa_patch *patches = c->s->patches;
-    for (size_t i = c->n->starts[p]; i < c->n->starts[p + 1]; i++) {
-        int q = c->n->items[i];
-        if (!patches[q].stable && c->held[q] >= 0 && c->held[p] != patches[q].plane_id &&
-            c->held[q] != patches[p].plane_id) {
-            settle(c, p);
-            settle(c, q);
-            return;
-        }
-    }
-}
-
-static void close_rules(closure *c) {
-    settle(c, c->s->back);
-    settle(c, c->s->base);
-    for (size_t done = 0; done < c->count; done++) {
-        int a = c->queue[done], plane = c->s->patches[a].plane_id;
-        for (size_t i = c->n->starts[a]; i < c->n->starts[a + 1]; i++) {
-            int p = c->n->items[i];
-            if (c->s->patches[p].stable)
-                continue;
-            if (c->held[p] < 0) {
-                c->held[p] = plane;
-                pair_up(c, p);
-            } else if (c->held[p] != plane) {
-                settle(c, p);
-            }
-        }
-    }
-}
-
-/* ---- rule R2 ---------------------------------------------------------------------------- */
+/* ---- flaps ---------------------------------------------------------------------------- */
 
 typedef struct search {
     const kg_oa_neighbours *n;
@@ -145,34 +94,26 @@ static void mark_flaps(kg_oa_stability *s, search *f) {
     }
 }
 
-/* ---- both ------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------- */
 
-static bool diagnose(kg_oa_stability *s, const kg_oa_neighbours *n) {
+static bool find_flaps(kg_oa_stability *s, const kg_oa_neighbours *n) {
     size_t count = s->patch_count;
     int *numbers = calloc(count, 4 * sizeof *numbers);
     size_t *next = malloc(count * sizeof *next);
-    if (!numbers || !next) {
-        free(numbers);
-        free(next);
-        return false;
+    bool done = numbers && next;
+    if (done) {
+        memcpy(next, n->starts, count * sizeof *next);
+        search f = {.n = n,
+                    .found = numbers,
+                    .low = numbers + count,
+                    .parent = numbers + 2 * count,
+                    .order = numbers + 3 * count,
+                    .next = next};
+        mark_flaps(s, &f);
     }
-    closure c = {.s = s, .n = n, .held = numbers, .queue = numbers + count};
-    for (size_t i = 0; i < count; i++)
-        c.held[i] = -1;
-    close_rules(&c);
-    s->loose_count = count - c.count;
-    memset(numbers, 0, count * 4 * sizeof *numbers);
-    memcpy(next, n->starts, count * sizeof *next);
-    search f = {.n = n,
-                .found = numbers,
-                .low = numbers + count,
-                .parent = numbers + 2 * count,
-                .order = numbers + 3 * count,
-                .next = next};
-    mark_flaps(s, &f);
     free(numbers);
     free(next);
-    return true;
+    return done;
 }
 
 kg_status kg_oa_stability_create(const kg_oa_sheet *sheet, kg_oa_stability **out_stability,
@@ -184,7 +125,7 @@ kg_status kg_oa_stability_create(const kg_oa_sheet *sheet, kg_oa_stability **out
     kg_status status = kg_oa_patches_map(sheet, s, error);
     if (!status)
         status = kg_oa_neighbours_create(s, true, &n, error);
-    if (!status && !diagnose(s, &n))
+    if (!status && !(kg_oa_close(s, &n) && find_flaps(s, &n)))
         status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
     kg_oa_neighbours_clear(&n);
     if (status)

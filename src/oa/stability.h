@@ -22,4 +22,8 @@ kg_status kg_oa_neighbours_create(const kg_oa_stability *s, bool extra, kg_oa_ne
                                   kg_error *error) KG_CHECKED;
 void kg_oa_neighbours_clear(kg_oa_neighbours *n);
 
+/* Marks the patches that follow from the opening of the card as stable and counts the others.
+ * False when memory runs out. */
+bool kg_oa_close(kg_oa_stability *s, const kg_oa_neighbours *neighbours) KG_CHECKED;
+
 #endif
