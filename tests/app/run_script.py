@@ -1,11 +1,12 @@
 """Runs a script of the app off-screen. usage: run_script.py KATAGAMI SCRIPT.txt
 
-The script finds a folder of its own in $TMP, models of the tests in $HERE. Its user has no
+The script finds a folder of its own in $TMP, copies of the models of the tests in $HERE. Its user has no
 preferences. Leaves with 77, "skipped", where the machine cannot draw.
 """
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,7 +14,9 @@ import tempfile
 program, script = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 
 with tempfile.TemporaryDirectory() as folder:
-    environment = dict(os.environ, TMP=folder, HERE=str(script.parent), HOME=folder, LANGUAGE="C",
+    for model in script.parent.glob("*.katagami"):
+        shutil.copy(model, folder)
+    environment = dict(os.environ, TMP=folder, HERE=folder, HOME=folder, LANGUAGE="C",
                        XDG_CONFIG_HOME=f"{folder}/config", XDG_STATE_HOME=f"{folder}/state")
     done = subprocess.run([program, "edit", "--headless", "--script", script], check=False,
                           capture_output=True, text=True, env=environment, cwd=folder)

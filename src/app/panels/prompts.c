@@ -87,7 +87,8 @@ void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
         if (!status) {
             remember(app);
             kg_recovery_forget(app);
-            kg_editor_say(&app->editor, KG_WARNING, _("Saved %s"), path);
+            /* `path` may have been the editor's own, which is another text now */
+            kg_editor_say(&app->editor, KG_WARNING, _("Saved %s"), app->editor.path);
             if (app->dialogs.after_unsaved != KG_FOR_NOTHING)
                 go_on(app, app->dialogs.after_unsaved);
         }
@@ -97,9 +98,7 @@ void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
         set_reference(app, path);
         return;
     default:
-        status = kg_export_file(&app->editor, path, &error);
-        if (!status)
-            kg_editor_say(&app->editor, KG_WARNING, _("Wrote %s"), path);
+        kg_export_to(app, path);
         break;
     }
     if (status)
