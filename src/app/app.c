@@ -32,6 +32,7 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error
 }
 
 void kg_app_clear(kg_app *app) {
+    kg_export_stop(app);
     kg_net_view_clear(&app->net_view);
     kg_scenery_destroy(app->stage);
     kg_ui_destroy();
@@ -62,10 +63,10 @@ static void serve_request(kg_app *app) {
         kg_dialogs_browse(app, KG_FOR_REFERENCE);
         break;
     case KG_REQUEST_EXPORT_NET:
-        kg_dialogs_browse(app, KG_FOR_NET);
+        kg_export_ask(app, false);
         break;
     case KG_REQUEST_EXPORT_MESH:
-        kg_dialogs_browse(app, KG_FOR_MESH);
+        kg_export_ask(app, true);
         break;
     case KG_REQUEST_PALETTE:
         app->dialogs.open_palette = true;

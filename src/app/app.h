@@ -27,6 +27,7 @@ typedef struct kg_app {
     kg_dialogs dialogs;
     kg_axes_ball axes;
     kg_net_view net_view;
+    struct kg_export_job *export_job; /* NULL: nothing is being written */
     double autosaved; /* clock of the last autosave */
     bool framed;      /* the camera was set to the document at least once */
     bool quit;

@@ -14,6 +14,7 @@ typedef enum kg_purpose {
     KG_FOR_REFERENCE,
     KG_FOR_NET,
     KG_FOR_MESH,
+    KG_FOR_PICTURE,
     KG_FOR_QUIT
 } kg_purpose;
 
@@ -23,6 +24,7 @@ typedef struct kg_browser_entry {
 } kg_browser_entry;
 
 typedef struct kg_dialogs {
+    bool open_export, open_progress;
     bool open_palette, open_help, open_settings, open_rename, open_unsaved, open_browser,
         open_error, open_recovery, open_overwrite, open_menu; /* to be opened in this frame */
     kg_purpose purpose;                                       /* of the browser */

@@ -161,7 +161,8 @@ bool kg_net_view_handle(const kg_net_view *v, kg_vec2 *out_center, kg_vec2 *out_
         *out_handle = v->last;
     } else {
         kg_box2 box = kg_net_view_part_box(v, (size_t)v->active_part);
-        *out_handle = kg_v2(center.x, box.lo.y - HANDLE_DISTANCE * v->scale);
+        double top = v->area.y + HANDLE_DISTANCE / 2.0 * v->scale; /* never out of sight */
+        *out_handle = kg_v2(center.x, fmax(box.lo.y - HANDLE_DISTANCE * v->scale, top));
     }
     *out_center = center;
     return true;

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { RULING_COUNT = 17, CURVE_SAMPLES = 65 };
+enum { RULING_COUNT = 17, CURVE_SAMPLES = 65, PICTURE_SAMPLES = 2 };
 
 /* Edges of the reference bent by more than 35 degrees are edges of the object. */
 #define REFERENCE_CREASE 0.61
@@ -320,8 +320,9 @@ static kg_scene scene_of(const kg_editor *e) {
     return scene;
 }
 
-kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *e, int height_px, kg_error *error) {
-    kg_overlay overlay = {0};
+/* Everything to be seen; the overlay is to be cleared, also on failure. */
+static kg_status compose(kg_scenery *stage, const kg_editor *e, kg_overlay *overlay,
+                         kg_error *error) {
     const kg_model *m = kg_editor_model(e);
     kg_status status = follow_reference(stage, &e->backdrop, error);
     if (!status)
@@ -329,17 +330,23 @@ kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *e, int height_px, 
     if (!status) {
         bool dark = e->settings.theme == KG_UI_DARK;
         float shade = dark ? 0.62F : 0.45F;
-        kg_overlay_item(&overlay, stage->grid,
+        kg_overlay_item(overlay, stage->grid,
                         line_style((kg_color){shade, shade, shade, 0.35F}, 1));
         if (m->reference.visible && m->reference.opacity > 0)
-            kg_overlay_item(&overlay, stage->reference,
+            kg_overlay_item(overlay, stage->reference,
                             kg_style_default((kg_color){0.72F, 0.74F, 0.78F,
                                                         (float)fmin(m->reference.opacity, 1)}));
-        status = add_patches(stage, e, &overlay, error);
+        status = add_patches(stage, e, overlay, error);
     }
+    if (!status && e->tool->draw)
+        e->tool->draw(e, overlay);
+    return status;
+}
+
+kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *e, int height_px, kg_error *error) {
+    kg_overlay overlay = {0};
+    kg_status status = compose(stage, e, &overlay, error);
     if (!status) {
-        if (e->tool->draw)
-            e->tool->draw(e, &overlay);
         kg_scene scene = scene_of(e);
         scene.items = overlay.items.items;
         scene.item_count = overlay.items.count;
@@ -347,6 +354,21 @@ kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *e, int height_px, 
         kg_viewport viewport = {(int)a->x, height_px - (int)(a->y + a->height), (int)a->width,
                                 (int)a->height, e->pane.scale};
         kg_renderer_draw(stage->renderer, &scene, &e->pane.camera, viewport);
+    }
+    kg_overlay_clear(&overlay);
+    return status;
+}
+
+kg_status kg_scenery_picture(kg_scenery *stage, const kg_editor *e, int width, int height,
+                             kg_image *out_image, kg_error *error) {
+    kg_overlay overlay = {0};
+    kg_status status = compose(stage, e, &overlay, error);
+    if (!status) {
+        kg_scene scene = scene_of(e);
+        scene.items = overlay.items.items;
+        scene.item_count = overlay.items.count;
+        status = kg_renderer_picture(stage->renderer, &scene, &e->pane.camera, width, height,
+                                     PICTURE_SAMPLES, out_image, error);
     }
     kg_overlay_clear(&overlay);
     return status;

@@ -17,6 +17,10 @@ void kg_scenery_destroy(kg_scenery *stage);
 kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *editor, int height_px,
                           kg_error *error) KG_CHECKED;
 
+/* The same as a picture of its own. */
+kg_status kg_scenery_picture(kg_scenery *stage, const kg_editor *editor, int width, int height,
+                             kg_image *out_image, kg_error *error) KG_CHECKED;
+
 /* The colour a patch is shown in: its own, else the palette's. */
 kg_color kg_patch_color(const kg_model_patch *patch, size_t index);
 bool kg_color_parse(const char *text, kg_color *out_color); /* "#rrggbb" */

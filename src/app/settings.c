@@ -9,7 +9,8 @@
 #include <sys/stat.h>
 
 void kg_settings_default(kg_settings *s) {
-    *s = (kg_settings){.scale = 1, .autosave_minutes = 2, .net_view = true, .lift = 0, .step = 1};
+    *s = (kg_settings){.scale = 1, .autosave_minutes = 2, .net_view = true, .lift = 0, .step = 1,
+                        .export = {.format = "svg", .dash = 2, .gap = 0.5, .width = 1600}};
 }
 
 void kg_settings_clear(kg_settings *s) {
@@ -70,6 +71,29 @@ static void read_number(const json_t *root, const char *key, double lo, double h
         *value = x;
 }
 
+static void read_bool(const json_t *root, const char *key, bool *value) {
+    if (json_is_boolean(json_object_get(root, key)))
+        *value = json_is_true(json_object_get(root, key));
+}
+
+static void read_export(const json_t *root, kg_export_choice *c) {
+    const char *format = json_string_value(json_object_get(root, "format"));
+    if (format)
+        snprintf(c->format, sizeof c->format, "%s", format);
+    read_bool(root, "separate", &c->separate);
+    read_bool(root, "mirrored", &c->mirrored);
+    read_bool(root, "perforate", &c->perforate);
+    read_number(root, "dash", 0.1, 50, &c->dash);
+    read_number(root, "gap", 0.1, 50, &c->gap);
+    read_number(root, "width", 64, 8192, &c->width);
+}
+
+static json_t *write_export(const kg_export_choice *c) {
+    return json_pack("{s:s, s:b, s:b, s:b, s:f, s:f, s:f}", "format", c->format, "separate",
+                     c->separate, "mirrored", c->mirrored, "perforate", c->perforate, "dash",
+                     c->dash, "gap", c->gap, "width", c->width);
+}
+
 void kg_settings_read(kg_settings *s) {
     char path[KG_PATH_SIZE], *text;
     size_t size;
@@ -91,8 +115,8 @@ void kg_settings_read(kg_settings *s) {
     read_number(root, "autosave_minutes", 0, 1440, &s->autosave_minutes);
     read_number(root, "lift", -1e3, 1e3, &s->lift);
     read_number(root, "step", 1e-3, 1e3, &s->step);
-    if (json_is_boolean(json_object_get(root, "net_view")))
-        s->net_view = json_is_true(json_object_get(root, "net_view"));
+    read_bool(root, "net_view", &s->net_view);
+    read_export(json_object_get(root, "export"), &s->export);
     const json_t *recent = json_object_get(root, "recent");
     for (size_t i = json_array_size(recent); i-- > 0;)
         if (json_is_string(json_array_get(recent, i)))
@@ -108,11 +132,11 @@ kg_status kg_settings_write(const kg_settings *s, kg_error *error) {
     for (int i = 0; i < KG_RECENT_COUNT && s->recent[i]; i++)
         json_array_append_new(recent, json_string(s->recent[i]));
     json_t *root =
-        json_pack("{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:b, s:o}", "language", s->language,
+        json_pack("{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:b, s:o, s:o}", "language", s->language,
                   "navigation", s->navigation == KG_NAVIGATION_BLENDER ? "blender" : "default",
                   "theme", s->theme == KG_UI_LIGHT ? "light" : "dark", "scale", s->scale,
                   "autosave_minutes", s->autosave_minutes, "lift", s->lift, "step", s->step,
-                  "net_view", s->net_view, "recent", recent);
+                  "net_view", s->net_view, "export", write_export(&s->export), "recent", recent);
     char *text = root ? kg_json_text(root) : NULL;
     kg_status status = text ? kg_file_write(path, text, strlen(text), error)
                             : kg_fail(error, KG_ERR_MEMORY, "out of memory");

@@ -7,6 +7,14 @@
 
 enum { KG_RECENT_COUNT = 10, KG_PATH_SIZE = 4096 };
 
+/* How files were exported last. */
+typedef struct kg_export_choice {
+    char format[8]; /* ending without the dot */
+    bool separate, mirrored, perforate;
+    double dash, gap; /* of perforated folds, mm */
+    double width;     /* of pictures, pixels */
+} kg_export_choice;
+
 typedef struct kg_settings {
     char language[16]; /* "" as the system, "en", "ja" */
     kg_navigation navigation;
@@ -14,6 +22,7 @@ typedef struct kg_settings {
     double scale;                  /* of the whole user interface, 1 is normal */
     double autosave_minutes;       /* 0: never */
     bool net_view;                 /* beside the model */
+    kg_export_choice export;
     double lift;                   /* mm, how far new patches lie off the reference */
     double step;                   /* mm, to which Ctrl rounds movements */
     char *recent[KG_RECENT_COUNT]; /* the latest first, NULL behind the last */

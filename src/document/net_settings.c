@@ -35,6 +35,12 @@ static kg_status read_word(const json_t *net, const char *key, const char *const
     return kg_fail(error, KG_ERR_INPUT, "net: \"%s\" has to be one of %s", key, list);
 }
 
+kg_net_preset kg_net_settings_preset(const kg_model_net *net) {
+    int preset = KG_PRESET_PRINT;
+    kg_status status = read_word(net->json, "preset", kg_net_preset_names, &preset, NULL);
+    return status ? KG_PRESET_PRINT : (kg_net_preset)preset;
+}
+
 static kg_status read_gap(const json_t *net, double *value, kg_error *error) {
     const json_t *v = json_object_get(net, "gap");
     double gap = v ? json_number_value(v) : *value;

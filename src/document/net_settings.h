@@ -20,6 +20,9 @@ kg_status kg_net_settings_read(const kg_model_net *net, kg_net_options *out_opti
 kg_status kg_net_settings_set(kg_model_net *net, const char *key, struct json_t *value,
                               kg_error *error) KG_CHECKED;
 
+/* The preset that the model names, KG_PRESET_PRINT when it names none that is known. */
+kg_net_preset kg_net_settings_preset(const kg_model_net *net);
+
 /* "none", "inside", "outside"; NULL behind the last. And the same of presets. */
 extern const char *const kg_net_label_names[];
 extern const char *const kg_net_preset_names[];

@@ -25,6 +25,7 @@ static const kind *kind_of(kg_purpose purpose) {
     static const kind net = {N_("Export net"), N_("Export"), true, {".svg", ".pdf", ".dxf"}};
     static const kind mesh = {
         N_("Export mesh"), N_("Export"), true, {".obj", ".ply", ".stl", ".off", ".gltf", ".glb"}};
+    static const kind picture = {N_("Export picture"), N_("Export"), true, {".png"}};
     static const kind reference = {N_("Choose reference"),
                                    N_("Choose"),
                                    false,
@@ -36,6 +37,8 @@ static const kind *kind_of(kg_purpose purpose) {
         return &net;
     case KG_FOR_MESH:
         return &mesh;
+    case KG_FOR_PICTURE:
+        return &picture;
     case KG_FOR_REFERENCE:
         return &reference;
     default:

@@ -70,11 +70,7 @@ void kg_panel_net_settings(kg_app *app) {
         kg_ui_text_wrapped(error.message);
     const char *const labels[] = {_("none"), _("inside the parts"), _("outside the parts")};
     const char *const presets[] = {_("print"), _("laser cutter"), "Silhouette", "Cricut"};
-    const char *preset = json_string_value(json_object_get(net->json, "preset"));
-    int preset_index = 0;
-    for (int i = 0; preset && kg_net_preset_names[i]; i++)
-        if (strcmp(preset, kg_net_preset_names[i]) == 0)
-            preset_index = i;
+    int preset_index = (int)kg_net_settings_preset(net);
     show_paper(e, net);
     check(e, _("landscape"), "landscape", o.landscape, "");
     net = &kg_editor_model(e)->net;

@@ -26,6 +26,14 @@ void kg_panel_help(kg_app *app);
 void kg_panel_settings(kg_app *app);
 void kg_panel_browser(kg_app *app);
 void kg_panel_prompts(kg_app *app);
+void kg_panel_export(kg_app *app);
+
+/* Asks what to export as, starting from the last choice among nets or meshes. */
+void kg_export_ask(kg_app *app, bool mesh);
+/* Writes what the name's ending says, in the background. */
+void kg_export_to(kg_app *app, const char *path);
+/* Gives up what is being written. */
+void kg_export_stop(kg_app *app);
 
 /* Asks what to do about unsaved changes, if there are any, then goes on with `purpose`. */
 void kg_dialogs_go_on(kg_app *app, kg_purpose purpose);

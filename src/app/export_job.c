@@ -1,0 +1,117 @@
+#include "app/export_job.h"
+
+#include "app/export.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+struct kg_export_job {
+    pthread_t thread;
+    kg_document *document;
+    char *path;
+    kg_export_choice choice;
+    atomic_bool cancelled, done;
+    atomic_int permille;
+    kg_status status;
+    kg_error error;
+};
+
+bool kg_export_is_net(const char *path) {
+    const char *dot = strrchr(path, '.');
+    return dot && (strcasecmp(dot, ".svg") == 0 || strcasecmp(dot, ".pdf") == 0 ||
+                   strcasecmp(dot, ".dxf") == 0);
+}
+
+static bool keep_on(void *user, double fraction, const char *what) {
+    kg_export_job *j = user;
+    (void)what;
+    atomic_store(&j->permille, (int)(1000 * fraction));
+    return !atomic_load(&j->cancelled);
+}
+
+static kg_status write_net(kg_export_job *j, kg_error *error) {
+    const kg_progress progress = {keep_on, j};
+    kg_net_options options;
+    double tab_width;
+    kg_status status = kg_document_net_options(j->document, &options, &tab_width, error);
+    if (status)
+        return status;
+    options.separate = j->choice.separate;
+    options.mirrored = j->choice.mirrored;
+    if (j->choice.perforate) {
+        options.perforate[0] = j->choice.dash;
+        options.perforate[1] = j->choice.gap;
+    }
+    return kg_export_net(j->document, &options, tab_width, j->path, &progress, error);
+}
+
+static kg_status write_mesh(kg_export_job *j, kg_error *error) {
+    kg_mesh *mesh;
+    kg_status status = kg_document_solve(j->document, KG_MESH_CHORD, error);
+    if (!status)
+        status = kg_document_mesh(j->document, NULL, &mesh, error);
+    if (status)
+        return status;
+    status = keep_on(j, 0.5, "") ? kg_mesh_write(j->path, mesh, error)
+                                 : kg_fail(error, KG_ERR_CANCELLED, "cancelled");
+    kg_mesh_destroy(mesh);
+    return status;
+}
+
+static void *run(void *user) {
+    kg_export_job *j = user;
+    j->status = kg_export_is_net(j->path) ? write_net(j, &j->error) : write_mesh(j, &j->error);
+    atomic_store(&j->done, true);
+    return NULL;
+}
+
+static void destroy(kg_export_job *j) {
+    kg_document_destroy(j->document);
+    free(j->path);
+    free(j);
+}
+
+kg_status kg_export_job_start(const kg_editor *e, const char *path, kg_export_job **out_job,
+                              kg_error *error) {
+    kg_export_job *j = calloc(1, sizeof *j);
+    if (!j || !(j->path = strdup(path))) {
+        free(j);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    j->choice = e->settings.export;
+    kg_status status = kg_export_copy(e, &j->document, error);
+    if (!status && pthread_create(&j->thread, NULL, run, j))
+        status = kg_fail(error, KG_ERR_MEMORY, "no memory for another thread");
+    if (status)
+        destroy(j);
+    else
+        *out_job = j;
+    return status;
+}
+
+double kg_export_job_fraction(const kg_export_job *j) {
+    return atomic_load(&j->permille) / 1000.0;
+}
+
+const char *kg_export_job_path(const kg_export_job *j) {
+    return j->path;
+}
+
+void kg_export_job_cancel(kg_export_job *j) {
+    atomic_store(&j->cancelled, true);
+}
+
+bool kg_export_job_is_done(const kg_export_job *j) {
+    return atomic_load(&j->done);
+}
+
+kg_status kg_export_job_finish(kg_export_job *j, kg_error *error) {
+    pthread_join(j->thread, NULL);
+    kg_status status = j->status;
+    *error = j->error;
+    destroy(j);
+    return status;
+}

@@ -1,0 +1,211 @@
+/* What a file is to be exported as, and the progress of writing it. */
+#include "app/commands/commands.h"
+#include "app/export_job.h"
+#include "app/panels/panels.h"
+#include "app/text.h"
+#include "document/net_settings.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+typedef struct format {
+    const char *ending, *what;
+    bool is_net, is_picture;
+} format;
+
+static const format formats[] = {
+    {"svg", N_("for browsers, Inkscape and most cutters; one file a page"), true, false},
+    {"pdf", N_("for printing; all pages in one file"), true, false},
+    {"dxf", N_("for laser cutters and CAD; one file a page"), true, false},
+    {"obj", N_("mesh, one group a patch"), false, false},
+    {"ply", N_("mesh, coloured"), false, false},
+    {"stl", N_("mesh of triangles"), false, false},
+    {"off", N_("mesh, plain text"), false, false},
+    {"gltf", N_("mesh for the web, with its data beside it"), false, false},
+    {"glb", N_("mesh for the web, in one file"), false, false},
+    {"png", N_("picture of the 3D view"), false, true},
+};
+enum { FORMAT_COUNT = sizeof formats / sizeof *formats };
+
+static const format *find_format(const char *ending) {
+    for (int i = 0; i < FORMAT_COUNT; i++)
+        if (strcasecmp(formats[i].ending, ending) == 0)
+            return &formats[i];
+    return NULL;
+}
+
+/* ---- choosing --------------------------------------------------------------------------- */
+
+static void set(kg_editor *e, const char *key, const char *word) {
+    json_t *arguments = json_pack("{s:s}", key, word);
+    kg_error error;
+    if (arguments && kg_command_run(kg_command_find("net.set"), e, arguments, &error))
+        kg_editor_say(e, KG_FAULT, "%s", error.message);
+    json_decref(arguments);
+}
+
+static void net_options(kg_editor *e) {
+    kg_export_choice *c = &e->settings.export;
+    const char *const presets[] = {_("print"), _("laser cutter"), "Silhouette", "Cricut"};
+    int index = (int)kg_net_settings_preset(&kg_editor_model(e)->net);
+    kg_ui_width(180);
+    if (kg_ui_choice(_("made for"), presets, 4, &index))
+        set(e, "preset", kg_net_preset_names[index]);
+    kg_ui_check(_("print and cut lines in files of their own"), &c->separate);
+    kg_ui_check(_("mirrored, to print on the back of the paper"), &c->mirrored);
+    kg_ui_check(_("perforated folds, dashes with real gaps"), &c->perforate);
+    if (c->perforate) {
+        kg_ui_indent();
+        kg_ui_width(100);
+        kg_ui_number(_("dash"), &c->dash, 0.05, 0.1, 50, "%.2f mm");
+        kg_ui_same_line();
+        kg_ui_width(100);
+        kg_ui_number(_("gap"), &c->gap, 0.05, 0.1, 50, "%.2f mm");
+        kg_ui_unindent();
+    }
+}
+
+static void picture_options(kg_export_choice *c) {
+    kg_ui_width(120);
+    kg_ui_number(_("width"), &c->width, 4, 64, 8192, "%.0f px");
+}
+
+/* Opens the browser with a name of the chosen format. */
+static void choose_file(kg_app *app, const format *f) {
+    kg_dialogs *d = &app->dialogs;
+    kg_dialogs_browse(app, f->is_net ? KG_FOR_NET : f->is_picture ? KG_FOR_PICTURE : KG_FOR_MESH);
+    char *dot = strrchr(d->file, '.');
+    size_t at = dot ? (size_t)(dot - d->file) : strlen(d->file);
+    if (at + 1 + strlen(f->ending) < sizeof d->file)
+        snprintf(d->file + at, sizeof d->file - at, ".%s", f->ending);
+}
+
+static void show_choice(kg_app *app) {
+    static const double widths[] = {70, 0};
+    kg_editor *e = &app->editor;
+    kg_export_choice *c = &e->settings.export;
+    if (app->dialogs.open_export)
+        kg_ui_popup_open(_("Export"));
+    app->dialogs.open_export = false;
+    if (!kg_ui_modal_begin(_("Export"), 560))
+        return;
+    const format *chosen = find_format(c->format);
+    if (!chosen)
+        chosen = &formats[0];
+    if (kg_ui_table_begin("formats", 2, widths)) {
+        for (int i = 0; i < FORMAT_COUNT; i++) {
+            kg_ui_table_row();
+            kg_ui_table_next();
+            if (kg_ui_radio(formats[i].ending, chosen == &formats[i]))
+                snprintf(c->format, sizeof c->format, "%s", formats[i].ending);
+            kg_ui_table_next();
+            kg_ui_text_dim(_(formats[i].what));
+        }
+        kg_ui_table_end();
+    }
+    kg_ui_separator();
+    if (chosen->is_net)
+        net_options(e);
+    else if (chosen->is_picture)
+        picture_options(c);
+    kg_ui_space();
+    bool go_on = kg_ui_primary_button(_("Choose file…"));
+    kg_ui_same_line();
+    bool cancel = kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE);
+    if (go_on || cancel)
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+    if (go_on)
+        choose_file(app, chosen);
+}
+
+void kg_export_ask(kg_app *app, bool mesh) {
+    kg_export_choice *c = &app->editor.settings.export;
+    const format *f = find_format(c->format);
+    if (!f || (mesh && f->is_net) || (!mesh && !f->is_net))
+        snprintf(c->format, sizeof c->format, "%s", mesh ? "obj" : "svg");
+    app->dialogs.open_export = true;
+}
+
+/* ---- writing ---------------------------------------------------------------------------- */
+
+static kg_status write_picture(kg_app *app, const char *path, kg_error *error) {
+    const kg_area *a = &app->editor.pane.area;
+    int width = (int)app->editor.settings.export.width;
+    int height = (int)fmax(width * a->height / fmax(a->width, 1), 1);
+    kg_image image;
+    kg_status status = kg_scenery_picture(app->stage, &app->editor, width, height, &image, error);
+    if (status)
+        return status;
+    status = kg_image_write_png(&image, path, error);
+    kg_image_destroy(&image);
+    return status;
+}
+
+static void told(kg_app *app, kg_status status, const char *path, const kg_error *error) {
+    kg_error ignored;
+    if (status == KG_ERR_CANCELLED)
+        kg_editor_say(&app->editor, KG_WARNING, "%s", _("Nothing was written."));
+    else if (status)
+        kg_dialogs_fail(app, error);
+    else
+        kg_editor_say(&app->editor, KG_WARNING, _("Wrote %s"), path);
+    if (!status && kg_settings_write(&app->editor.settings, &ignored))
+        return; /* the choices are forgotten, the file is there */
+}
+
+void kg_export_to(kg_app *app, const char *path) {
+    kg_error error;
+    const char *dot = strrchr(path, '.');
+    if (dot && strcasecmp(dot, ".png") == 0)
+        told(app, write_picture(app, path, &error), path, &error);
+    else if (!app->export_job && kg_export_job_start(&app->editor, path, &app->export_job, &error))
+        kg_dialogs_fail(app, &error);
+    else
+        app->dialogs.open_progress = true;
+}
+
+static void show_progress(kg_app *app) {
+    kg_export_job *job = app->export_job;
+    char path[KG_PATH_SIZE];
+    kg_error error;
+    if (app->dialogs.open_progress)
+        kg_ui_popup_open(_("Exporting"));
+    app->dialogs.open_progress = false;
+    bool open = kg_ui_modal_begin(_("Exporting"), 420);
+    bool done = job && kg_export_job_is_done(job);
+    if (open && job) {
+        kg_ui_text_wrapped(kg_export_job_path(job));
+        kg_ui_progress(kg_export_job_fraction(job), "");
+        if (kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE))
+            kg_export_job_cancel(job);
+    }
+    if (open && (done || !job))
+        kg_ui_popup_close();
+    if (open)
+        kg_ui_popup_end();
+    if (done) {
+        snprintf(path, sizeof path, "%s", kg_export_job_path(job));
+        app->export_job = NULL;
+        told(app, kg_export_job_finish(job, &error), path, &error);
+        app->redraw = true;
+    }
+    app->busy = app->busy || app->export_job;
+}
+
+void kg_export_stop(kg_app *app) {
+    kg_error error;
+    if (!app->export_job)
+        return;
+    kg_export_job_cancel(app->export_job);
+    kg_status status = kg_export_job_finish(app->export_job, &error);
+    app->export_job = NULL;
+    if (status && status != KG_ERR_CANCELLED)
+        kg_editor_say(&app->editor, KG_FAULT, "%s", error.message);
+}
+
+void kg_panel_export(kg_app *app) {
+    show_choice(app);
+    show_progress(app);
+}
