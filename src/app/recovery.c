@@ -3,16 +3,25 @@
 #include "app/text.h"
 #include "model/edit.h"
 
+#include <dirent.h>
+#include <errno.h>
 #include <jansson.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#define AUTOSAVE "autosave.katagami"
+#define NAME_FORMAT "autosave-%ld.katagami"
 
 /* Where the work belongs, noted in the autosaved file alone. */
 #define ORIGIN "autosaved_from"
+
+static bool own_path(char out[KG_PATH_SIZE]) {
+    char name[64];
+    snprintf(name, sizeof name, NAME_FORMAT, (long)getpid());
+    return kg_state_path(name, out);
+}
 
 double kg_recovery_due(const kg_app *app) {
     const kg_editor *e = &app->editor;
@@ -46,49 +55,82 @@ void kg_recovery_tick(kg_app *app) {
     kg_editor *e = &app->editor;
     char path[KG_PATH_SIZE];
     kg_error error;
+    if (app->has_autosave && !kg_editor_is_modified(e))
+        kg_recovery_forget(app);
     if (kg_recovery_due(app) != 0 || e->before)
         return;
     app->autosaved = e->clock;
     e->autosaved_state = e->state;
-    if (!kg_state_path(AUTOSAVE, path))
+    if (!own_path(path))
         kg_editor_say(e, KG_WARNING, "%s", _("There is no folder to autosave to."));
     else if (write_copy(e, path, &error))
         kg_editor_say(e, KG_WARNING, _("Autosave failed: %s"), error.message);
+    else
+        app->has_autosave = true;
+}
+
+/* Is this the name of a file that a process left which is no more? */
+static bool is_left_behind(const char *name) {
+    long process;
+    int end = 0;
+    return sscanf(name, NAME_FORMAT "%n", &process, &end) == 1 && end > 0 && name[end] == '\0' &&
+           process > 0 && process != (long)getpid() && kill((pid_t)process, 0) != 0 &&
+           errno == ESRCH;
 }
 
 void kg_recovery_offer(kg_app *app) {
-    char path[KG_PATH_SIZE];
-    if (!kg_state_path(AUTOSAVE, path) || access(path, R_OK) != 0)
+    char folder[KG_PATH_SIZE];
+    if (!kg_state_path("", folder))
         return;
-    snprintf(app->dialogs.recovery, sizeof app->dialogs.recovery, "%s", path);
-    app->dialogs.open_recovery = true;
+    DIR *files = opendir(folder);
+    for (struct dirent *entry; files && (entry = readdir(files));)
+        if (is_left_behind(entry->d_name) && kg_state_path(entry->d_name, app->dialogs.recovery)) {
+            app->dialogs.open_recovery = true;
+            break;
+        }
+    if (files)
+        closedir(files);
+}
+
+/* The file the work belongs to; the note of it is taken out of the model. */
+static char *take_origin(kg_model *m) {
+    const char *origin = json_string_value(json_object_get(m->json, ORIGIN));
+    char *copy = origin ? strdup(origin) : NULL;
+    json_t *rest = origin ? json_copy(m->json) : NULL;
+    if (rest) {
+        json_object_del(rest, ORIGIN);
+        json_decref(m->json);
+        m->json = rest;
+    }
+    return copy;
 }
 
 void kg_recovery_take(kg_app *app) {
     kg_editor *e = &app->editor;
     kg_error error;
+    char own[KG_PATH_SIZE];
     if (kg_editor_open(e, app->dialogs.recovery, &error)) {
         kg_editor_say(e, KG_FAULT, "%s", error.message);
         return;
     }
-    kg_model *m = kg_editor_model(e);
-    const char *origin = json_string_value(json_object_get(m->json, ORIGIN));
     free(e->path);
-    e->path = origin ? strdup(origin) : NULL;
-    if (origin) {
-        json_t *rest = json_copy(m->json);
-        json_object_del(rest, ORIGIN);
-        json_decref(m->json);
-        m->json = rest;
-    }
+    e->path = take_origin(kg_editor_model(e));
     e->saved_state = e->next_state++; /* it is in no file of the user's */
+    app->autosaved = e->clock;
     app->framed = false;
+    app->has_autosave = own_path(own) && rename(app->dialogs.recovery, own) == 0;
+    if (!app->has_autosave)
+        kg_editor_say(e, KG_WARNING, "%s", _("The recovered work cannot be autosaved."));
+}
+
+void kg_recovery_drop(kg_app *app) {
+    remove(app->dialogs.recovery);
 }
 
 void kg_recovery_forget(kg_app *app) {
     char path[KG_PATH_SIZE];
-    app->dialogs.recovery[0] = '\0';
     app->autosaved = app->editor.clock;
-    if (kg_state_path(AUTOSAVE, path))
+    if (app->has_autosave && own_path(path))
         remove(path);
+    app->has_autosave = false;
 }

@@ -1,6 +1,7 @@
 /*
- * Autosave: unsaved work goes to $XDG_STATE_HOME/katagami now and then, and is offered at the next
- * start when the app ended without removing it.
+ * Autosave: unsaved work goes to $XDG_STATE_HOME/katagami/autosave-PID.katagami now and then. The
+ * file is removed when the work is saved or given up; one whose process is gone was left by a
+ * crash, and is offered at the next start.
  */
 #ifndef KG_APP_RECOVERY_H
 #define KG_APP_RECOVERY_H
@@ -11,11 +12,14 @@
 void kg_recovery_tick(kg_app *app);
 /* Seconds until then; negative: nothing to save. */
 double kg_recovery_due(const kg_app *app);
-/* Looks for a file left behind and offers it. */
+/* Looks for a file left behind and offers it in a dialog. */
 void kg_recovery_offer(kg_app *app);
-/* Opens it as unsaved work of the file it came from. */
+/* Opens the file offered as unsaved work of the file it came from; it becomes this process's own
+ * autosave. */
 void kg_recovery_take(kg_app *app);
-/* Removes the autosaved file: the work is saved, or given up. */
+/* Removes the file offered. */
+void kg_recovery_drop(kg_app *app);
+/* Removes this process's autosave: the work is saved, or given up. */
 void kg_recovery_forget(kg_app *app);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "app/commands/commands.h"
 #include "app/monkey.h"
+#include "app/recovery.h"
 #include "app/tools/tool.h"
 #include "base/file.h"
 
@@ -298,6 +299,20 @@ static kg_status do_resize(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
+/* As at the start of the app in a window. */
+static kg_status do_recover(script *s, const char *words, kg_error *error) {
+    (void)words, (void)error;
+    kg_recovery_offer(s->app);
+    kg_app_run_events(s->app, FRAME);
+    return KG_OK;
+}
+
+static kg_status do_autosave(script *s, const char *words, kg_error *error) {
+    if (!next_number(&words, &s->app->editor.settings.autosave_minutes))
+        return kg_fail(error, KG_ERR_INPUT, "autosave needs a number of minutes");
+    return KG_OK;
+}
+
 /* Random events: clicks and drags all over the window, keys with and without modifiers. */
 static kg_status do_monkey(script *s, const char *words, kg_error *error) {
     double count, seed;
@@ -322,11 +337,12 @@ static kg_status do_monkey(script *s, const char *words, kg_error *error) {
 static const struct {
     const char *name;
     kg_status (*run)(script *, const char *, kg_error *);
-} verbs[] = {
-    {"move", do_move},     {"click", do_click}, {"drag", do_drag},       {"key", do_key},
-    {"text", do_text},     {"wheel", do_wheel}, {"open", do_open},       {"save", do_save},
-    {"drop", do_drop},     {"wait", do_wait},   {"command", do_command}, {"fail", do_fail},
-    {"expect", do_expect}, {"shot", do_shot},   {"resize", do_resize},   {"monkey", do_monkey}};
+} verbs[] = {{"move", do_move},     {"click", do_click},     {"drag", do_drag},
+             {"key", do_key},       {"text", do_text},       {"wheel", do_wheel},
+             {"open", do_open},     {"save", do_save},       {"drop", do_drop},
+             {"wait", do_wait},     {"command", do_command}, {"fail", do_fail},
+             {"expect", do_expect}, {"shot", do_shot},       {"resize", do_resize},
+             {"monkey", do_monkey}, {"recover", do_recover}, {"autosave", do_autosave}};
 
 static kg_status run_line(script *s, const char *line, kg_error *error) {
     char verb[32];

@@ -225,7 +225,7 @@ static void show_recovery(kg_app *app) {
     if (take)
         kg_recovery_take(app);
     if (drop)
-        kg_recovery_forget(app);
+        kg_recovery_drop(app);
 }
 
 void kg_panel_prompts(kg_app *app) {

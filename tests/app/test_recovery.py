@@ -1,0 +1,89 @@
+"""Work survives crashes. usage: test_recovery.py KATAGAMI"""
+
+import json
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import script  # noqa: E402
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+ADD = ('command patch.add {"points": [[0,-40,0],[0,-20,30],[0,20,30],[0,40,0]], '
+       '"extent": [-60,60]}')
+
+
+def start(folder, lines):
+    text = pathlib.Path(folder) / "script.txt"
+    text.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    environment = dict(os.environ, HOME=folder, LANGUAGE="C", XDG_CONFIG_HOME=f"{folder}/config",
+                       XDG_STATE_HOME=f"{folder}/state")
+    return subprocess.Popen([PROGRAM, "edit", "--headless", "--script", text], cwd=folder,
+                            env=environment, stderr=subprocess.PIPE, text=True)
+
+
+def run(folder, *lines):
+    process = start(folder, lines)
+    said = process.communicate()[1]
+    if "EGL" in said or "OpenGL" in said:
+        raise script.Skip("nothing can be drawn here")
+    assert process.returncode == 0, said
+
+
+def left_behind(folder):
+    return list(pathlib.Path(folder, "state", "katagami").glob("autosave-*.katagami"))
+
+
+def test_work_is_autosaved_after_two_minutes_and_not_before():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, "autosave 2", ADD, "wait 119")
+        assert not left_behind(folder)
+        run(folder, "autosave 2", ADD, "wait 119", "wait 2")
+        assert len(left_behind(folder)) == 1
+
+
+def test_a_crash_leaves_work_that_is_offered_and_taken():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, ADD, "save one.katagami", "autosave 2", ADD, "wait 121")
+        run(folder, "recover", "expect shown Recover", 'click "Recover"', "expect patches 2",
+            "expect modified", "expect title ● one.katagami — katagami", "key Ctrl+Z",
+            "expect patches 1", "key Ctrl+Y", "key Ctrl+S", "expect unmodified")
+        assert len(json.loads(pathlib.Path(folder, "one.katagami").read_text())["patches"]) == 2
+
+
+def test_work_given_up_is_not_offered_again():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, "autosave 2", ADD, "wait 121")
+        run(folder, "recover", 'click "Discard"', "expect patches 0")
+        assert not left_behind(folder)
+
+
+def test_saved_work_is_not_offered():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, "autosave 2", ADD, "save one.katagami", ADD, "wait 121", "key Ctrl+S",
+            "expect unmodified")
+        assert not left_behind(folder)
+
+
+def test_killed_while_saving_the_file_is_the_old_or_the_new_one():
+    chance = random.Random(4)
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "one.katagami")
+        run(folder, ADD, f"save {path}")
+        lines = [f"open {path}"]
+        for _ in range(400):
+            lines += ['command point.move {"patch": 1, "point": 0, "by": [0, 0, 0.01]}', "save"]
+        for _ in range(12):
+            process = start(folder, lines)
+            time.sleep(chance.uniform(0.1, 0.8))
+            process.kill()
+            process.communicate()
+            checked = subprocess.run([PROGRAM, "check", path], capture_output=True, check=False)
+            assert checked.returncode == 0, checked.stderr
+
+
+sys.exit(script.run(globals()))
