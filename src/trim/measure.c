@@ -69,6 +69,22 @@ static void measure_span(const span *s, double lo, double hi, int depth, kg_meas
         add_scaled(sum, (hi - lo) * gauss_weight[k], &node[k]);
 }
 
+/* Where two cuts meet, each ends on its own curve, a little beside the other: the step between
+ * counts for areas, or its distance from where moments are taken about would. */
+static void close_gap(const kg_patch *patch, const kg_region_loop *loop, const kg_region_edge *edge,
+                      kg_measure *sum) {
+    const kg_cross_point a = kg_region_edge_point(loop, edge, edge->count),
+                         b = loop->points[(edge->first + edge->count) % loop->point_count];
+    if (a.u == b.u && a.v == b.v)
+        return;
+    kg_ruling r = kg_patch_ruling(patch, a.v);
+    kg_vec3 w = kg_sub(r.dp, kg_scale(r.d, kg_dot(r.dp, r.d)));
+    double wide = kg_len(w), c = kg_dot(r.dd, w) / wide, u = 0.5 * (a.u + b.u);
+    sum->space_moment += u * (wide + 0.5 * c * u) * (b.v - a.v);
+    sum->paper_moment +=
+        0.5 * kg_cross2(kg_patch_unroll(patch, a.u, a.v), kg_patch_unroll(patch, b.u, b.v));
+}
+
 kg_measure kg_region_edge_measure(const kg_patch *patch, const kg_region_loop *loop,
                                   const kg_region_edge *edge, const kg_patch *cutter, double from,
                                   double to) {
@@ -81,6 +97,8 @@ kg_measure kg_region_edge_measure(const kg_patch *patch, const kg_region_loop *l
         if (lo < hi)
             measure_span(&s, lo, hi, 0, &m);
     }
+    if (from < to && to == (double)edge->count)
+        close_gap(patch, loop, edge, &m);
     return m;
 }
 

@@ -124,8 +124,7 @@ static void assert_sides_meet(const made *m, const kg_net_join *j) {
     }
 }
 
-/* `blur`: mm by which edges may miss each other at corners. */
-static void assert_true_sizes_to(const made *m, double blur) {
+static void assert_true_sizes(const made *m) {
     for (size_t i = 0; i < m->net->part_count; i++) {
         const kg_net_part *p = &m->net->parts[i];
         double shoelace = 0;
@@ -136,14 +135,10 @@ static void assert_true_sizes_to(const made *m, double blur) {
         }
         assert_true(shoelace > 0);
         assert_true(p->isometry_error < 1e-6);
-        assert_near(p->area, p->surface, 1e-6 * p->surface + blur * p->perimeter);
+        assert_near(p->area, p->surface, 1e-6 * p->surface);
         double slack = kg_solution_tolerance(m->solution) * p->perimeter;
         assert_near(shoelace, p->area, slack);
     }
-}
-
-static void assert_true_sizes(const made *m) {
-    assert_true_sizes_to(m, 0);
 }
 
 static size_t count_joins(const made *m, kg_net_join_kind kind, int64_t a, int64_t b) {
@@ -256,7 +251,7 @@ static void random_models_unroll_truly(void **state) {
             insert_trim(q, 0, trim_by(p->id));
         }
         made m = make_at(model, 0.005);
-        assert_true_sizes_to(&m, 0.2 * 0.005); /* a fraction of the tolerance */
+        assert_true_sizes(&m);
         for (size_t i = 0; i < m.net->join_count; i++) {
             assert_sides_meet(&m, &m.net->joins[i]);
             *(m.net->joins[i].kind == KG_JOIN_SEAM ? &seams : &contacts) += 1;
