@@ -111,6 +111,34 @@ static void put_flat(text *t, const json_t *v) {
     }
 }
 
+/* An array of numbers: long ones are rows of a table. */
+static bool is_plain(const json_t *array) {
+    for (size_t i = 0; i < json_array_size(array); i++)
+        if (!json_is_number(json_array_get(array, i)))
+            return false;
+    return true;
+}
+
+/* Writes numbers on as few lines as they fit on. */
+static void put_lines(text *t, const json_t *array, int indent) {
+    t->stop = SIZE_MAX;
+    put_break(t, indent);
+    size_t line = t->count - (size_t)indent * 2;
+    for (size_t i = 0; i < json_array_size(array); i++) {
+        size_t before = t->count;
+        if (i > 0)
+            put(t, ", ", 2);
+        put_scalar(t, json_array_get(array, i));
+        if (i > 0 && t->count - line > LINE - 1 && !t->failed) {
+            t->count = before;
+            put(t, ",", 1);
+            put_break(t, indent);
+            line = t->count - (size_t)indent * 2;
+            put_scalar(t, json_array_get(array, i));
+        }
+    }
+}
+
 static void put_value(text *t, const json_t *v, int indent) {
     size_t start = t->count;
     bool nests = json_is_array(v) || json_is_object(v);
@@ -122,7 +150,10 @@ static void put_value(text *t, const json_t *v, int indent) {
     bool first = true;
     if (json_is_array(v)) {
         put(t, "[", 1);
-        for (size_t i = 0; i < json_array_size(v); i++) {
+        bool plain = is_plain(v);
+        if (plain)
+            put_lines(t, v, indent + 1);
+        for (size_t i = 0; i < json_array_size(v) && !plain; i++) {
             if (i > 0)
                 put(t, ",", 1);
             put_break(t, indent + 1);

@@ -83,7 +83,9 @@ static kg_status add_model(stage *s, kg_document *d, kg_error *error) {
         const kg_mesh_group *g = &mesh->groups[i];
         if (g->face_count > 0)
             status = add_group(s, mesh, g->first_face, g->face_count, crease,
-                               kg_style_default(kg_palette(i)), true, error);
+                               kg_style_default(kg_document_oa(d) ? kg_color_from_linear(g->color)
+                                                                  : kg_palette(i)),
+                               true, error);
     }
     kg_mesh_destroy(mesh);
     return status;

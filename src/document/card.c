@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Of each kind of trouble so many are named one by one. */
-enum { NAMED = 12 };
+enum { NAMED = 10 };
 
 /* Paper narrower than this tears when it is folded or lifted, mm. */
 #define LEAST_WIDTH 2.0
@@ -127,44 +127,42 @@ static bool find_bare_edges(kg_card *card) {
     return issue != NULL;
 }
 
-/* "the front at y = 3, columns 2 to 5, levels 1 to 4" */
+/* "upright y 3, x 2-5, z 1-4" */
 static void say_patch(kg_issue *issue, const kg_oa_sheet *s, const kg_oa_patch *p) {
-    int y = p->plane_id, z = p->plane_id - s->depth - 1;
+    int x0 = p->x0 - s->margin, x1 = p->x1 - 1 - s->margin, y = p->plane_id,
+        z = p->plane_id - s->depth - 1;
     if (p->plane == KG_OA_BACK)
-        say(issue, "the upright patch at y = %d, columns %d to %d, levels %d to %d", y,
-            p->x0 - s->margin, p->x1 - 1 - s->margin, s->height - p->row1 + y,
+        say(issue, "upright y %d, x %d-%d, z %d-%d", y, x0, x1, s->height - p->row1 + y,
             s->height - 1 - p->row0 + y);
     else if (p->plane == KG_OA_FLOOR)
-        say(issue, "the level patch at z = %d, columns %d to %d, y %d to %d", z, p->x0 - s->margin,
-            p->x1 - 1 - s->margin, z - s->height + p->row0, z - s->height + p->row1 - 1);
+        say(issue, "level z %d, x %d-%d, y %d-%d", z, x0, x1, z - s->height + p->row0,
+            z - s->height + p->row1 - 1);
     else
-        say(issue, "the slanting patch in columns %d to %d", p->x0 - s->margin,
-            p->x1 - 1 - s->margin);
+        say(issue, "slanting x %d-%d", x0, x1);
 }
 
-static bool find_loose(kg_card *card) {
+/* One issue for all patches that are loose and flaps, or loose and none. */
+static bool add_loose(kg_card *card, bool flap) {
     const kg_oa_stability *s = card->stability;
-    size_t named = 0;
-    for (size_t i = 0; i < s->patch_count && named < NAMED; i++) {
-        const kg_oa_patch *p = &s->patches[i];
-        if (p->stable)
-            continue;
-        bool window = p->flap && !p->front;
-        kg_issue *issue = add_issue(card, KG_WARNING, p->flap ? "flap" : "loose");
-        if (!issue)
-            return false;
-        named++;
-        say_patch(issue, card->sheet, p);
-        say(issue, window    ? " is a flap of a window: it hangs on one patch only"
-                   : p->flap ? " is a flap: it hangs on one patch only"
-                             : " is loose: it does not follow from the opening of the card");
-    }
-    if (s->loose_count > named) {
-        kg_issue *issue = add_issue(card, KG_WARNING, "loose");
-        if (!issue)
-            return false;
-        say(issue, "%zu more patches are loose", s->loose_count - named);
-    }
+    size_t count = 0, named = 0;
+    for (size_t i = 0; i < s->patch_count; i++)
+        count += !s->patches[i].stable && s->patches[i].flap == flap;
+    if (count == 0)
+        return true;
+    kg_issue *issue = add_issue(card, KG_WARNING, flap ? "flap" : "loose");
+    if (!issue)
+        return false;
+    say(issue,
+        flap ? "%zu patch%s flaps, hanging on a single patch:"
+             : "%zu patch%s loose, not following from the opening of the card:",
+        count, count == 1 ? " is" : "es are");
+    for (size_t i = 0; i < s->patch_count && named < NAMED; i++)
+        if (!s->patches[i].stable && s->patches[i].flap == flap) {
+            say(issue, named++ ? "; " : " ");
+            say_patch(issue, card->sheet, &s->patches[i]);
+        }
+    if (count > named)
+        say(issue, "; and %zu more", count - named);
     return true;
 }
 
@@ -211,25 +209,27 @@ kg_status kg_card_solve(kg_card *card, kg_error *error) {
         status = kg_oa_stability_create(card->sheet, &card->stability, error);
     if (!status)
         status = find_missed(card, error);
-    if (!status && !(find_bare_edges(card) && find_loose(card)))
+    if (!status && !(find_bare_edges(card) && add_loose(card, false) && add_loose(card, true)))
         status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
     return status ? status : find_narrow(card, error);
 }
 
 /* ---- net -------------------------------------------------------------------------------- */
 
+static kg_status add_remark(kg_document_net *net, const kg_issue *issue, kg_error *error) {
+    char *message = strdup(issue->message);
+    if (!message)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    net->remarks[net->remark_count++] = (kg_net_warning){0, issue->code, message};
+    return KG_OK;
+}
+
 kg_status kg_card_net(const kg_card *card, kg_document_net *out_net, kg_error *error) {
     kg_document_net net = {.remarks = calloc(card->issues.count + 1, sizeof *net.remarks)};
     kg_status status = net.remarks ? kg_oa_net(card->oa, card->sheet, &net.net, error)
                                    : kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    for (size_t i = 0; i < card->issues.count && !status; i++) {
-        const kg_issue *issue = &card->issues.items[i];
-        char *message = strdup(issue->message);
-        if (message)
-            net.remarks[net.remark_count++] = (kg_net_warning){0, issue->code, message};
-        else
-            status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    }
+    for (size_t i = 0; i < card->issues.count && !status; i++)
+        status = add_remark(&net, &card->issues.items[i], error);
     if (status)
         kg_document_net_clear(&net);
     else

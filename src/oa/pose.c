@@ -96,7 +96,7 @@ static bool add_faces(frame *f, const kg_oa_stability *stability, bool loose) {
 
 static bool name_groups(kg_mesh *mesh, size_t fixed_faces) {
     static const char *const names[] = {"card", "loose"};
-    static const float colors[2][4] = {{0.9F, 0.88F, 0.83F, 1}, {0.8F, 0.2F, 0.12F, 1}};
+    static const float colors[2][4] = {{0.85F, 0.82F, 0.74F, 1}, {0.86F, 0.55F, 0.22F, 1}};
     size_t ends[] = {fixed_faces, mesh->face_count};
     mesh->groups = calloc(2, sizeof *mesh->groups);
     for (size_t i = 0, done = 0; i < 2 && mesh->groups; done = ends[i++]) {
