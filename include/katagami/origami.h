@@ -173,6 +173,48 @@ KG_API kg_status kg_origami_unfold(kg_origami *origami, size_t index, kg_error *
 KG_API void kg_origami_between(const kg_origami *origami, size_t step, double fraction,
                                kg_vec3 *out_positions);
 
+/* ---- crease patterns -------------------------------------------------------------------- */
+
+/* What was found out about the layers of a folded crease pattern. */
+typedef struct kg_layer_report {
+    double most_states; /* in: stop counting a component at this many, > 0 */
+    double most_steps;  /* in: give up after this many decisions, > 0 */
+    size_t pairs;       /* of loops that overlap */
+    size_t variables;   /* of them, those that the joined edges leave free of each other */
+    size_t components;  /* sets of free ones that do not depend on each other, each with a choice */
+    double states;      /* ways to order all layers */
+    bool exact;         /* false: at least so many */
+} kg_layer_report;
+
+/* 1e6 states of each component, 1e8 steps. */
+KG_API kg_layer_report kg_layer_report_default(void);
+
+/* Reads a crease pattern: FOLD 1.2 (.fold: its first frame with flat vertices) or .cp (lines
+ * `type x1 y1 x2 y2`: 1 border, 2 mountain, 3 valley, 4 flat), folds it as its angles say and finds
+ * the order of its layers, unless the file holds it. The first state is the folded one; folds may
+ * follow. Errors: KG_ERR_PARSE naming file and line; KG_ERR_INPUT when it cannot be folded flat: the
+ * vertex that breaks Kawasaki's or Maekawa's condition, or that no order of layers is possible,
+ * which is proved; KG_ERR_CANCELLED when most_steps did not suffice. `report` may be NULL. */
+KG_API kg_status kg_origami_import(const char *path, kg_origami **out_origami,
+                                   kg_layer_report *report, kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_import_memory(const char *data, size_t size, const char *name,
+                                          kg_origami **out_origami, kg_layer_report *report,
+                                          kg_error *error) KG_CHECKED;
+
+/* Writes NAME.fold: the crease pattern as first frame, the folded state of `step` with its
+ * faceOrders as second, and, when `all_steps`, a frame for every step before it; or NAME.cp: the
+ * crease pattern. */
+KG_API kg_status kg_origami_export(const kg_origami *origami, size_t step, bool all_steps,
+                                   const char *path, kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_fold_text(const kg_origami *origami, size_t step, bool all_steps,
+                                      char **out_text, size_t *out_size,
+                                      kg_error *error) KG_CHECKED;
+
+/* The crease pattern of a state as a net: one part per sheet, mountains and valleys as folds, seen
+ * from the front. KG_ERR_MEMORY. */
+KG_API kg_status kg_origami_net(const kg_origami *origami, size_t step, kg_net **out_net,
+                                kg_error *error) KG_CHECKED;
+
 /* ---- files ------------------------------------------------------------------------------ */
 
 /* Reads an origami model ("-": standard input) and replays its folds. KG_ERR_PARSE, KG_ERR_INPUT:

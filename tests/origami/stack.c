@@ -21,9 +21,17 @@ static kg_vec3 at(const kg_origami_state *s, int32_t h) {
 
 /* Least distance of a point in the plane from the loop's sides, negative outside. */
 static double depth(const kg_origami_state *s, int32_t loop, kg_vec3 p) {
-    kg_vec3 n = kg_origami_normal(s, loop);
-    double least = INFINITY;
     int32_t first = s->loops.items[loop].first, h = first;
+    kg_box3 box = kg_box3_empty();
+    do
+        kg_box3_add(&box, at(s, h));
+    while ((h = next(s, h)) != first);
+    double least = 2 * STEP * s->size; /* the point is in the plane: other directions tell enough */
+    if (p.x < box.lo.x - least || p.x > box.hi.x + least || p.y < box.lo.y - least ||
+        p.y > box.hi.y + least || p.z < box.lo.z - least || p.z > box.hi.z + least)
+        return -least;
+    kg_vec3 n = kg_origami_normal(s, loop);
+    least = INFINITY;
     do {
         kg_vec3 a = at(s, h), d = kg_unit(kg_sub(at(s, next(s, h)), a));
         least = fmin(least, kg_dot(kg_cross(n, d), kg_sub(p, a)));

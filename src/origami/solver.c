@@ -1,0 +1,287 @@
+/*
+ * Orders of layers after Akitaya, Demaine and Ku (2023), with a twist of algebra: "b lies above a"
+ * is one bit for each pair of overlapping loops. Tortillas make bits equal: those are joined before
+ * anything is searched. Two tacos say that the sum of four bits is even, and three loops with a
+ * common part that three bits, taken round, are not all equal. What creases fold which way fixes
+ * single bits. The rest is propagation and, component by component, backtracking.
+ */
+#include "origami/solver.h"
+
+#include "base/array.h"
+#include "origami/condition.h"
+#include "origami/convex.h"
+#include "origami/relation.h"
+#include "origami/search.h"
+
+#include <stdlib.h>
+
+kg_layer_report kg_layer_report_default(void) {
+    return (kg_layer_report){.most_states = 1e6, .most_steps = 1e8};
+}
+
+typedef struct solver {
+    kg_origami_state *state;
+    kg_outlines outlines;
+    kg_layer_rows rows;
+    int32_t *links; /* of pairs, see relation.h */
+    kg_clauses clauses;
+    kg_error *error;
+} solver;
+
+/* ---- bits ------------------------------------------------------------------------------- */
+
+/* Index of a pair among the orders; -1 when the loops do not overlap. */
+static int32_t pair_of(const kg_origami_state *s, int32_t a, int32_t b) {
+    int32_t lo = a < b ? a : b, hi = a < b ? b : a;
+    size_t first = 0, last = s->orders.count;
+    while (first < last) {
+        size_t middle = first + (last - first) / 2;
+        const kg_layer_order *o = &s->orders.items[middle];
+        if (o->a < lo || (o->a == lo && o->b < hi))
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    const kg_layer_order *o = &s->orders.items[first];
+    return first < s->orders.count && o->a == lo && o->b == hi ? (int32_t)first : -1;
+}
+
+/* "b lies above a" as a literal; -1 when they do not overlap. */
+static int32_t literal(const solver *v, int32_t a, int32_t b) {
+    int32_t pair = pair_of(v->state, a, b);
+    return pair < 0 ? -1 : 2 * pair + (a > b);
+}
+
+static kg_status find_pairs(solver *v) {
+    kg_origami_state *s = v->state;
+    s->orders.count = 0;
+    for (size_t a = 0; a < s->loops.count; a++)
+        for (size_t b = a + 1; b < s->loops.count; b++)
+            if (s->loops.items[a].group == s->loops.items[b].group &&
+                kg_outlines_overlap(&v->outlines, (int32_t)a, (int32_t)b, s->touch) &&
+                !kg_push(&s->orders, ((kg_layer_order){(int32_t)a, (int32_t)b, 1})))
+                return KG_ERR_MEMORY;
+    v->links = malloc((s->orders.count + 1) * sizeof *v->links);
+    if (!v->links)
+        return KG_ERR_MEMORY;
+    for (size_t i = 0; i < s->orders.count; i++)
+        v->links[i] = (int32_t)(2 * i);
+    return kg_layer_rows_create(s, &v->outlines, &v->rows);
+}
+
+/* ---- conditions at edges ---------------------------------------------------------------- */
+
+static kg_status add_conditions(solver *v) {
+    kg_conditions found = {0};
+    kg_status status = kg_conditions_find(v->state, &v->outlines, &v->rows, &found);
+    for (size_t i = 0; i < found.count && !status; i++) {
+        const kg_condition *c = &found.items[i];
+        bool changed;
+        if (c->kind == KG_CONDITION_SAME) {
+            int32_t x = literal(v, c->a, c->b), y = literal(v, c->c, c->d);
+            if (x >= 0 && y >= 0 && !kg_relation_join(v->links, x, y, &changed))
+                status =
+                    kg_fail(v->error, KG_ERR_INPUT,
+                            "there is no order of layers: face %d cannot lie clear of the joined "
+                            "faces %d and %d",
+                            c->b, c->a, c->c);
+            continue;
+        }
+        kg_clause clause = {{literal(v, c->a, c->c), literal(v, c->b, c->c), literal(v, c->a, c->d),
+                             literal(v, c->b, c->d)}};
+        bool overlap = true;
+        for (int k = 0; k < 4; k++)
+            overlap &= clause.literals[k] >= 0;
+        if (overlap && !kg_push(&v->clauses, clause))
+            status = KG_ERR_MEMORY;
+    }
+    free(found.items);
+    return status;
+}
+
+/* ---- three loops ------------------------------------------------------------------------ */
+
+/* Later loops that overlap both of a pair, where those overlap each other. */
+static kg_status add_triples_of(solver *v, size_t pair, kg_vec2 *scratch) {
+    const kg_outlines *o = &v->outlines;
+    const kg_layer_rows *r = &v->rows;
+    int32_t a = v->state->orders.items[pair].a, b = v->state->orders.items[pair].b;
+    size_t na = kg_outline_size(o, a), nb = kg_outline_size(o, b), n = 0;
+    size_t i = r->starts[a], k = r->starts[b];
+    while (i < r->starts[a + 1] && k < r->starts[b + 1]) {
+        int32_t x = r->entries[i].other, y = r->entries[k].other;
+        i += x <= y;
+        k += y <= x;
+        if (x != y || x < b)
+            continue;
+        if (n == 0)
+            n = kg_convex_common(kg_outline(o, a), na, kg_outline(o, b), nb, scratch,
+                                 scratch + na + nb + 2);
+        if (n > 0 && kg_convex_overlap(scratch, n, kg_outline(o, x), kg_outline_size(o, x),
+                                       v->state->touch)) {
+            kg_clause c = {{literal(v, a, b), literal(v, b, x), literal(v, x, a), -1}};
+            if (!kg_push(&v->clauses, c))
+                return KG_ERR_MEMORY;
+        }
+    }
+    return KG_OK;
+}
+
+static kg_status add_triples(solver *v) {
+    size_t most = 0;
+    for (size_t i = 0; i < v->state->loops.count; i++) {
+        size_t n = kg_outline_size(&v->outlines, (int32_t)i);
+        most = n > most ? n : most;
+    }
+    kg_vec2 *scratch = malloc((4 * most + 4) * sizeof *scratch);
+    kg_status status = scratch ? KG_OK : KG_ERR_MEMORY;
+    for (size_t pair = 0; pair < v->state->orders.count && !status; pair++)
+        status = add_triples_of(v, pair, scratch);
+    free(scratch);
+    return status;
+}
+
+/* ---- simplifying ------------------------------------------------------------------------ */
+
+static kg_status contradiction(const solver *v) {
+    return kg_fail(v->error, KG_ERR_INPUT, "there is no order of layers");
+}
+
+/* Replaces literals by what they are known to equal. Equal bits of a sum cancel; when two remain
+ * they are joined. Of three that are not all equal, two equal ones fix the third. */
+static kg_status simplify_clause(solver *v, kg_clause *c, bool *keep, bool *changed) {
+    int32_t *l = c->literals;
+    bool sum = l[3] >= 0;
+    for (int k = 0; k < 3 + sum; k++)
+        l[k] = kg_relation_find(v->links, l[k]);
+    *keep = true;
+    for (int i = 0; i < 3 + sum; i++)
+        for (int k = i + 1; k < 3 + sum; k++) {
+            if (l[i] >> 1 != l[k] >> 1)
+                continue;
+            bool equal = l[i] == l[k];
+            int32_t rest[3], n = 0;
+            for (int m = 0; m < 3 + sum; m++)
+                if (m != i && m != k)
+                    rest[n++] = l[m];
+            *keep = false;
+            /* a sum of two equal bits is even, of opposite ones odd */
+            if (sum)
+                return kg_relation_join(v->links, rest[0], rest[1] ^ !equal, changed)
+                           ? KG_OK
+                           : contradiction(v);
+            if (!equal)
+                return KG_OK;
+            return kg_relation_join(v->links, rest[0], l[i] ^ 1, changed) ? KG_OK
+                                                                          : contradiction(v);
+        }
+    return KG_OK;
+}
+
+static kg_status simplify(solver *v) {
+    bool changed = true;
+    while (changed) {
+        changed = false;
+        size_t kept = 0;
+        for (size_t i = 0; i < v->clauses.count; i++) {
+            bool keep;
+            kg_status status = simplify_clause(v, &v->clauses.items[i], &keep, &changed);
+            if (status)
+                return status;
+            if (keep)
+                v->clauses.items[kept++] = v->clauses.items[i];
+        }
+        v->clauses.count = kept;
+    }
+    return KG_OK;
+}
+
+/* ---- creases ---------------------------------------------------------------------------- */
+
+/* Valleys bring the fronts of their loops together, mountains the backs. */
+static kg_status fix_creases(const solver *v, signed char *values) {
+    const kg_origami_state *s = v->state;
+    for (size_t e = 0; e < s->edges.count; e++) {
+        int32_t a = kg_loop_of(s, (int32_t)(2 * e)), b = kg_loop_of(s, (int32_t)(2 * e + 1));
+        if (s->edges.items[e].kind != KG_EDGE_CREASE || s->edges.items[e].angle == 0 || a < 0 ||
+            b < 0)
+            continue;
+        int32_t l = literal(v, a, b);
+        if (l < 0)
+            continue;
+        int front = s->edges.items[e].angle > 0 ? 1 : -1;
+        l = kg_relation_find(v->links, l ^ (front * v->outlines.facing[a] < 0));
+        signed char value = l & 1 ? -1 : 1;
+        if (values[l >> 1] == -value)
+            return kg_fail(v->error, KG_ERR_INPUT,
+                           "there is no order of layers: the crease between faces %d and %d is "
+                           "folded the wrong way for the others",
+                           a, b);
+        values[l >> 1] = value;
+    }
+    return KG_OK;
+}
+
+static void take_values(solver *v, const signed char *values) {
+    kg_origami_state *s = v->state;
+    for (size_t i = 0; i < s->orders.count; i++) {
+        kg_layer_order *o = &s->orders.items[i];
+        int32_t l = kg_relation_find(v->links, (int32_t)(2 * i));
+        o->side = (l & 1 ? -1 : 1) * values[l >> 1] * v->outlines.facing[o->a];
+    }
+    for (size_t e = 0; e < s->edges.count; e++) {
+        kg_paper_edge *edge = &s->edges.items[e];
+        int32_t a = kg_loop_of(s, (int32_t)(2 * e)), b = kg_loop_of(s, (int32_t)(2 * e + 1));
+        if (edge->kind != KG_EDGE_OPEN)
+            continue;
+        edge->kind = KG_EDGE_CREASE;
+        edge->angle = copysign(edge->angle, kg_origami_order(s, a, b) < 0 ? -1 : 1);
+    }
+}
+
+/* ---- all -------------------------------------------------------------------------------- */
+
+static kg_status search(solver *v, kg_layer_report *report) {
+    size_t pairs = v->state->orders.count;
+    signed char *values = calloc(pairs + 1, 1);
+    if (!values)
+        return KG_ERR_MEMORY;
+    kg_status status = fix_creases(v, values);
+    report->pairs = pairs;
+    report->variables = 0;
+    for (size_t i = 0; i < pairs; i++)
+        report->variables += v->links[i] == (int32_t)(2 * i);
+    if (!status)
+        status = kg_search(&v->clauses, v->links, pairs, values, report);
+    if (status == KG_ERR_INPUT && report->states == 0)
+        status = contradiction(v);
+    else if (status == KG_ERR_CANCELLED)
+        status = kg_fail(v->error, status,
+                         "the order of layers was neither found nor excluded in %g steps",
+                         report->most_steps);
+    if (!status)
+        take_values(v, values);
+    free(values);
+    return status;
+}
+
+kg_status kg_state_solve(kg_origami_state *state, kg_layer_report *report, kg_error *error) {
+    solver v = {.state = state, .error = error};
+    report->states = 0;
+    kg_status status = kg_outlines_create(state, &v.outlines);
+    if (!status)
+        status = find_pairs(&v);
+    if (!status)
+        status = add_conditions(&v);
+    if (!status)
+        status = add_triples(&v);
+    if (!status)
+        status = simplify(&v);
+    if (!status)
+        status = search(&v, report);
+    kg_outlines_clear(&v.outlines);
+    kg_layer_rows_clear(&v.rows);
+    free(v.links);
+    free(v.clauses.items);
+    return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
+}
