@@ -54,6 +54,7 @@ static double ruling_length(const kg_region *region, double v, int *out_crossing
 /* The shortest ruling that crosses the region in one piece, away from its ends; false: none. */
 static bool best_ruling(const kg_region *region, double *out_v) {
     double lo = 1, hi = 0, best = HUGE_VAL;
+    *out_v = 0.5;
     for (size_t i = 0; i < region->loops[0].point_count; i++) {
         lo = fmin(lo, region->loops[0].points[i].v);
         hi = fmax(hi, region->loops[0].points[i].v);
