@@ -62,7 +62,8 @@ static void test_random(void **user) {
         if (seed % 3 == 0)
             add_rectangle(o, kg_random_in(&r, -60, 60), kg_random_in(&r, -60, 60), 80, 80);
         size_t length = 1 + kg_random_bits(&r) % 12;
-        for (size_t tries = 0; tries < 40 && kg_origami_step(o) < length && last(o)->loops.count < 80; tries++) {
+        for (size_t tries = 0;
+             tries < 40 && kg_origami_step(o) < length && last(o)->loops.count < 80; tries++) {
             kg_fold f = random_fold(&r, last(o));
             kg_error error;
             kg_status status = kg_origami_fold(o, &f, &error);
@@ -75,7 +76,7 @@ static void test_random(void **user) {
             flat += fabs(f.angle_deg) == 180;
             most = last(o)->loops.count > most ? last(o)->loops.count : most;
             const char *wrong = shape_check(last(o), 1e-9);
-            if (!wrong)
+            if (!wrong && (seed < 200 || kg_origami_step(o) == length))
                 wrong = stack_check(last(o));
             if (wrong)
                 fail_msg("seed %d, fold %d: %s", (int)seed, (int)kg_origami_step(o), wrong);

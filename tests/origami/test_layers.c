@@ -1,0 +1,174 @@
+/* Layer orders of crease patterns: found, counted, or proved impossible. */
+#include "origami/solver.h"
+#include "tests/check.h"
+#include "tests/origami/samples.h"
+#include "tests/origami/stack.h"
+
+#include <stdlib.h>
+
+static kg_status import(const char *text, const char *name, kg_origami **out,
+                        kg_layer_report *report, kg_error *error) {
+    *report = kg_layer_report_default();
+    return kg_origami_import_memory(text, strlen(text), name, out, report, error);
+}
+
+static void assert_sound(const kg_origami_state *s) {
+    const char *wrong = shape_check(s, 1e-6);
+    if (!wrong)
+        wrong = stack_check(s);
+    if (wrong)
+        fail_msg("%s", wrong);
+}
+
+/* ---- brute force ------------------------------------------------------------------------ */
+
+static bool creases_hold(const kg_origami_state *s) {
+    for (size_t e = 0; e < s->edges.count; e++) {
+        int32_t a = s->halves.items[2 * e].loop, b = s->halves.items[2 * e + 1].loop;
+        double angle = s->edges.items[e].angle;
+        if (a >= 0 && b >= 0 && angle != 0 && kg_origami_order(s, a, b) != (angle > 0 ? 1 : -1))
+            return false;
+    }
+    return true;
+}
+
+/* All ways to order the pairs of a solved state, tried one by one. */
+static size_t count_by_force(kg_origami_state *s) {
+    size_t ways = 0;
+    for (size_t bits = 0; bits < (size_t)1 << s->orders.count; bits++) {
+        for (size_t i = 0; i < s->orders.count; i++)
+            s->orders.items[i].side = bits >> i & 1 ? 1 : -1;
+        ways += creases_hold(s) && stack_check(s) == NULL;
+    }
+    return ways;
+}
+
+static void test_counts_equal_brute_force(void **user) {
+    (void)user;
+    size_t compared = 0, several = 0;
+    for (uint64_t seed = 0; seed < 800 && compared < 120; seed++) {
+        kg_random r = {seed};
+        kg_origami *o = square_sheet(100), *read = NULL;
+        for (int tries = 0; tries < 8 && kg_origami_step(o) < 3; tries++) {
+            const kg_origami_state *s = last(o);
+            kg_vec3 from = s->vertices.items[kg_random_bits(&r) % s->vertices.count].position;
+            kg_fold f = fold_to(from, kg_v3(kg_random_in(&r, 0, 100), kg_random_in(&r, 0, 100), 0),
+                                kg_random_bits(&r) & 1 ? 180 : -180);
+            if (kg_origami_fold(o, &f, NULL))
+                continue;
+        }
+        char *text;
+        size_t size;
+        kg_layer_report report = kg_layer_report_default();
+        kg_error error = {0};
+        kg_status status = kg_origami_fold_text(o, kg_origami_step(o), false, &text, &size, &error);
+        assert_int_equal(status, KG_OK);
+        /* without its frames the file says nothing of layers */
+        char *frames = strstr(text, "\"file_frames\"");
+        memcpy(frames, "\"some_frames\"", 13);
+        if (kg_origami_import_memory(text, size, "random.fold", &read, &report, &error))
+            fail_msg("seed %d: %s", (int)seed, error.message);
+        assert_sound(last(read));
+        if (last(read)->orders.count <= 10 && last(read)->orders.count > 1) {
+            kg_origami_state *s = kg_state_copy(last(read));
+            size_t ways = count_by_force(s);
+            if (!report.exact || report.states != (double)ways)
+                fail_msg("seed %d: %g states, %zu by force", (int)seed, report.states, ways);
+            kg_state_destroy(s);
+            compared++;
+            several += ways > 1;
+        }
+        free(text);
+        kg_origami_destroy(o);
+        kg_origami_destroy(read);
+    }
+    print_message("%zu patterns, %zu with several states\n", compared, several);
+    assert_true(compared >= 100 && several >= 10);
+}
+
+/* ---- known patterns --------------------------------------------------------------------- */
+
+static void test_two_strips_wind_both_ways(void **user) {
+    (void)user;
+    /* a strip of four with open creases: the number of ways to fold a strip of four stamps, 16 */
+    kg_origami *o;
+    kg_layer_report report;
+    kg_error error = {0};
+    const char *text =
+        "{\"vertices_coords\": [[0,0],[1,0],[2,0],[3,0],[4,0],[0,1],[1,1],[2,1],[3,1],[4,1]],"
+        "\"edges_vertices\": [[0,1],[1,2],[2,3],[3,4],[5,6],[6,7],[7,8],[8,9],[0,5],[4,9],[1,6],"
+        "[2,7],[3,8]],"
+        "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\","
+        "\"U\",\"U\",\"U\"]}";
+    if (import(text, "strip.fold", &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_near(report.states, 16, 0);
+    assert_true(report.exact);
+    assert_sound(last(o));
+    kg_origami_destroy(o);
+}
+
+/* The inner square stands on a corner; a pleat leaves each of its sides. Its four sectors lie over
+ * one another in a ring, which no stack of whole faces can hold. */
+static void test_square_twist(void **user) {
+    (void)user;
+    kg_origami *o;
+    kg_layer_report report;
+    kg_error error = {0};
+    const char *text = "1 0 0 8 0\n1 8 0 8 8\n1 8 8 0 8\n1 0 8 0 0\n"
+                       "2 5 4 4 5\n2 4 5 3 4\n2 3 4 4 3\n2 4 3 5 4\n"
+                       "2 5 4 8 4\n3 4 5 8 5\n2 4 5 4 8\n3 3 4 3 8\n"
+                       "2 3 4 0 4\n3 4 3 0 3\n2 4 3 4 0\n3 5 4 5 0\n";
+    if (import(text, "twist.cp", &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(last(o)->loops.count, 9);
+    assert_sound(last(o));
+    assert_near(report.states, 1, 0);
+    kg_origami_destroy(o);
+}
+
+static void test_bad_vertices_are_named(void **user) {
+    (void)user;
+    kg_origami *o = NULL;
+    kg_layer_report report;
+    kg_error error;
+    /* creases at 0, 90, 180 and 260 degrees */
+    const char *angles = "1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n2 2 2 4 2\n2 2 2 2 0\n"
+                         "2 2 2 0 2\n3 2 2 2.3 4\n";
+    assert_int_equal(import(angles, "angles.cp", &o, &report, &error), KG_ERR_INPUT);
+    assert_non_null(strstr(error.message, "(2, -2)"));
+    assert_non_null(strstr(error.message, "Kawasaki"));
+    const char *letters = "1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n2 2 2 4 2\n2 2 2 2 0\n"
+                          "3 2 2 0 2\n3 2 2 2 4\n";
+    assert_int_equal(import(letters, "letters.cp", &o, &report, &error), KG_ERR_INPUT);
+    assert_non_null(strstr(error.message, "Maekawa"));
+}
+
+static void test_wide_middle_between_two_valleys_is_impossible(void **user) {
+    (void)user;
+    /* stamps of widths 2, 1, 2: valley and valley pass through each other, valley and mountain do
+       not; every vertex by itself is on the border and has no say */
+    kg_origami *o = NULL;
+    kg_layer_report report;
+    kg_error error;
+    assert_int_equal(import("1 0 0 5 0\n1 5 0 5 1\n1 5 1 0 1\n1 0 1 0 0\n3 2 0 2 1\n3 3 0 3 1\n",
+                            "stamps.cp", &o, &report, &error),
+                     KG_ERR_INPUT);
+    assert_non_null(strstr(error.message, "no order of layers"));
+    if (import("1 0 0 5 0\n1 5 0 5 1\n1 5 1 0 1\n1 0 1 0 0\n3 2 0 2 1\n2 3 0 3 1\n", "stamps.cp",
+               &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_near(report.states, 1, 0);
+    kg_origami_destroy(o);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_counts_equal_brute_force),
+        cmocka_unit_test(test_two_strips_wind_both_ways),
+        cmocka_unit_test(test_square_twist),
+        cmocka_unit_test(test_bad_vertices_are_named),
+        cmocka_unit_test(test_wide_middle_between_two_valleys_is_impossible),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
