@@ -11,11 +11,12 @@ enum { BITS = 64 };
 enum { BACK, BASE };
 
 struct kg_oa_reach {
-    kg_oa_sheet sheet; /* place and marks only */
-    size_t words;      /* of a row */
-    uint64_t *right;   /* bit x: joined with x + 1 */
-    uint64_t *down;    /* joined with the cell below */
-    uint64_t *front;   /* must be reached by both floods */
+    int width, rows;
+    int32_t *place;  /* as kg_oa_sheet has it, but by columns, which are what changes */
+    size_t words;    /* of a row of bits */
+    uint64_t *right; /* bit x: joined with x + 1 */
+    uint64_t *down;  /* joined with the cell below */
+    uint64_t *front; /* must be reached by both floods */
     uint64_t *reached[2];
     size_t missing[2]; /* front cells that are not */
     struct {
@@ -99,7 +100,7 @@ static span renew_row(kg_oa_reach *r, int flood, int row, const uint64_t *source
                       const uint64_t *joins, span dirty) {
     const uint64_t *right = row_of(r, r->right, row), *front = row_of(r, r->front, row);
     uint64_t *reached = row_of(r, r->reached[flood], row);
-    span changed = {r->sheet.width, -1};
+    span changed = {r->width, -1};
     for (int a = stretch_begin(right, dirty.lo), b; a <= dirty.hi; a = b + 1) {
         b = stretch_end(right, a);
         size_t from = (size_t)a / BITS, to = (size_t)b / BITS;
@@ -131,13 +132,13 @@ static span united(span a, span b) {
 static void renew(kg_oa_reach *r, int flood, int x, int first, int last) {
     int step = flood == BACK ? 1 : -1, row = flood == BACK ? first : last;
     int beyond = flood == BACK ? last + 1 : first - 1; /* the last row with another join before */
-    int width = r->sheet.width;
+    int width = r->width;
     span here = {x > 0 ? x - 1 : 0, x + 1 < width ? x + 1 : x}, changed = {width, -1};
-    for (bool near = true; row >= 0 && row < r->sheet.rows; row += step) {
+    for (bool near = true; row >= 0 && row < r->rows; row += step) {
         span dirty = near ? united(changed, here) : changed;
         if (dirty.lo > dirty.hi)
             break;
-        bool start = row == (flood == BACK ? 0 : r->sheet.rows - 1);
+        bool start = row == (flood == BACK ? 0 : r->rows - 1);
         const uint64_t *source = start ? NULL : row_of(r, r->reached[flood], row - step);
         const uint64_t *joins = start ? NULL : row_of(r, r->down, flood == BACK ? row - 1 : row);
         changed = renew_row(r, flood, row, source, joins, dirty);
@@ -147,12 +148,21 @@ static void renew(kg_oa_reach *r, int flood, int x, int first, int last) {
 
 /* ---- changes ---------------------------------------------------------------------------- */
 
-static void join_cell(kg_oa_reach *r, int x, int row) {
-    const kg_oa_sheet *s = &r->sheet;
-    if (x + 1 < s->width)
-        change_bit(r, row_of(r, r->right, row), x, kg_oa_edge_right(s, x, row) != KG_OA_CUT);
-    if (row + 1 < s->rows)
-        change_bit(r, row_of(r, r->down, row), x, kg_oa_edge_below(s, x, row) != KG_OA_CUT);
+static size_t cell_of(const kg_oa_reach *r, int x, int row) {
+    return (size_t)x * (size_t)r->rows + (size_t)row;
+}
+
+static void join_right(kg_oa_reach *r, int x, int row) {
+    const int32_t *place = &r->place[cell_of(r, x, row)];
+    if (x + 1 < r->width)
+        change_bit(r, row_of(r, r->right, row), x, place[0] == place[r->rows]);
+}
+
+static void join_down(kg_oa_reach *r, int x, int row) {
+    const int32_t *place = &r->place[cell_of(r, x, row)];
+    if (row + 1 < r->rows)
+        change_bit(r, row_of(r, r->down, row), x,
+                   kg_oa_place_lower(place[0]) == kg_oa_place_upper(place[1]));
 }
 
 static void take_front(kg_oa_reach *r, int x, int row) {
@@ -171,8 +181,7 @@ static void take_back(kg_oa_reach *r, const size_t missing[2]) {
     }
     while (r->places.count > 0) {
         r->places.count--;
-        r->sheet.place[r->places.items[r->places.count].cell] =
-            r->places.items[r->places.count].place;
+        r->place[r->places.items[r->places.count].cell] = r->places.items[r->places.count].place;
     }
     memcpy(r->missing, missing, sizeof r->missing);
 }
@@ -183,13 +192,13 @@ static void place_cells(kg_oa_reach *r, int x, int first, int last, const int32_
     *out_first = last + 1;
     *out_last = first - 1;
     for (int row = first; row <= last; row++) {
-        size_t cell = kg_oa_cell(&r->sheet, x, row);
-        take_front(r, x, row);
-        if (r->sheet.place[cell] == places[row - first])
+        size_t cell = cell_of(r, x, row);
+        if (r->place[cell] == places[row - first])
             continue;
-        if (!kg_push(&r->places, ((struct old_place){cell, r->sheet.place[cell]})))
+        take_front(r, x, row);
+        if (!kg_push(&r->places, ((struct old_place){cell, r->place[cell]})))
             r->failed = true;
-        r->sheet.place[cell] = places[row - first];
+        r->place[cell] = places[row - first];
         *out_first = row < *out_first ? row : *out_first;
         *out_last = row;
     }
@@ -202,11 +211,12 @@ kg_status kg_oa_reach_try(kg_oa_reach *r, int x, int first, int last, const int3
     place_cells(r, x, first, last, places, &from, &to);
     if (from <= to && !r->failed) {
         if (from > 0)
-            join_cell(r, x, from - 1);
+            join_down(r, x, from - 1);
         for (int row = from; row <= to; row++) {
-            join_cell(r, x, row);
+            join_down(r, x, row);
+            join_right(r, x, row);
             if (x > 0)
-                join_cell(r, x - 1, row);
+                join_right(r, x - 1, row);
         }
         renew(r, BACK, x, from, to);
         renew(r, BASE, x, from, to);
@@ -223,20 +233,21 @@ kg_status kg_oa_reach_try(kg_oa_reach *r, int x, int first, int last, const int3
 
 /* ---- the whole -------------------------------------------------------------------------- */
 
-static void fill(kg_oa_reach *r) {
-    const kg_oa_sheet *s = &r->sheet;
-    span all = {0, s->width - 1};
-    for (int row = 0; row < s->rows; row++)
-        for (int x = 0; x < s->width; x++) {
-            join_cell(r, x, row);
-            bool front = s->marks[kg_oa_cell(s, x, row)] & KG_OA_FRONT;
+/* Joins and fronts, then both floods, row by row. */
+static void fill(kg_oa_reach *r, const unsigned char *marks) {
+    span all = {0, r->width - 1};
+    for (int row = 0; row < r->rows; row++)
+        for (int x = 0; x < r->width; x++) {
+            join_right(r, x, row);
+            join_down(r, x, row);
+            bool front = marks[(size_t)row * (size_t)r->width + (size_t)x] & KG_OA_FRONT;
             change_bit(r, row_of(r, r->front, row), x, front);
             r->missing[BACK] += front;
             r->missing[BASE] += front;
             r->bits.count = 0; /* nothing of this is ever taken back */
         }
-    for (int row = 0; row < s->rows; row++) {
-        int other = s->rows - 1 - row;
+    for (int row = 0; row < r->rows; row++) {
+        int other = r->rows - 1 - row;
         renew_row(r, BACK, row, row > 0 ? row_of(r, r->reached[BACK], row - 1) : NULL,
                   row > 0 ? row_of(r, r->down, row - 1) : NULL, all);
         renew_row(r, BASE, other, row > 0 ? row_of(r, r->reached[BASE], other + 1) : NULL,
@@ -245,28 +256,38 @@ static void fill(kg_oa_reach *r) {
     }
 }
 
+static void lay_out(const kg_oa *oa, kg_oa_sheet *s, kg_oa_reach *r) {
+    kg_oa_lay_out(oa, s);
+    for (int row = 0; row < r->rows; row++)
+        for (int x = 0; x < r->width; x++)
+            r->place[cell_of(r, x, row)] = s->place[kg_oa_cell(s, x, row)];
+    fill(r, s->marks);
+}
+
 kg_status kg_oa_reach_create(const kg_oa *oa, kg_oa_reach **out_reach, kg_error *error) {
     kg_oa_reach *r = calloc(1, sizeof *r);
     if (!r)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    kg_oa_sheet *s = &r->sheet;
-    s->width = oa->width;
-    s->height = oa->height;
-    s->depth = oa->depth_limit;
-    s->rows = s->height + s->depth;
-    r->words = ((size_t)s->width + BITS - 1) / BITS;
-    size_t cells = (size_t)s->width * (size_t)s->rows, words = r->words * (size_t)s->rows;
-    s->place = calloc(cells, sizeof *s->place);
-    s->marks = calloc(cells, 1);
+    r->width = oa->width;
+    r->rows = oa->height + oa->depth_limit;
+    r->words = ((size_t)r->width + BITS - 1) / BITS;
+    size_t cells = (size_t)r->width * (size_t)r->rows, words = r->words * (size_t)r->rows;
+    kg_oa_sheet s = {.width = oa->width,
+                     .height = oa->height,
+                     .depth = oa->depth_limit,
+                     .rows = r->rows,
+                     .place = calloc(cells, sizeof *s.place),
+                     .marks = calloc(cells, 1)};
+    r->place = calloc(cells, sizeof *r->place);
     uint64_t **const rows[] = {&r->right, &r->down, &r->front, &r->reached[BACK],
                                &r->reached[BASE]};
-    bool done = s->place && s->marks;
+    bool done = s.place && s.marks && r->place;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         done = (*rows[i] = calloc(words, sizeof **rows[i])) && done;
-    if (done) {
-        kg_oa_lay_out(oa, s);
-        fill(r);
-    }
+    if (done)
+        lay_out(oa, &s, r);
+    free(s.place);
+    free(s.marks);
     if (!done || r->failed) {
         kg_oa_reach_destroy(r);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
@@ -278,8 +299,7 @@ kg_status kg_oa_reach_create(const kg_oa *oa, kg_oa_reach **out_reach, kg_error 
 void kg_oa_reach_destroy(kg_oa_reach *r) {
     if (!r)
         return;
-    free(r->sheet.place);
-    free(r->sheet.marks);
+    free(r->place);
     free(r->right);
     free(r->down);
     free(r->front);

@@ -110,5 +110,6 @@ int main(int argc, char **argv) {
     bench_patches();
     bench_crossings();
     bench_models();
+    bench_cards();
     return bench_processes(argv[1], argv[2]);
 }

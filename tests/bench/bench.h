@@ -16,5 +16,6 @@ kg_patch_input bench_patch(int i);
 void bench_patches(void);
 void bench_crossings(void);
 void bench_models(void);
+void bench_cards(void);
 
 #endif
