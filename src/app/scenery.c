@@ -199,14 +199,43 @@ static void add_geodesic(kg_overlay *o, const kg_patch *patch, kg_color color) {
     kg_overlay_line(o, points, CURVE_SAMPLES, style);
 }
 
-static void add_rulings(kg_overlay *o, const kg_patch *patch, kg_color color) {
-    kg_style style = line_style(color, 1);
-    style.color.a = 0.55F;
+/* A ruling along which the wished extent goes too far, or that runs nearly along the geodesic. */
+static bool is_bad_ruling(const kg_patch *patch, double v) {
+    double lo, hi;
+    kg_patch_regression(patch, v, &lo, &hi);
+    return patch->wished_extent[0] < KG_REGRESSION_LIMIT * lo ||
+           patch->wished_extent[1] > KG_REGRESSION_LIMIT * hi ||
+           fabs(kg_patch_ruling(patch, v).sin_theta) < sin(KG_FLAT_RULING);
+}
+
+static bool is_kept(const kg_regions *regions, double u, double v) {
+    for (size_t i = 0; i < regions->count; i++)
+        if (kg_region_contains(&regions->items[i], u, v))
+            return true;
+    return false;
+}
+
+/* The rulings of what is left of a patch. */
+static void add_rulings(kg_overlay *o, const kg_solved_patch *solved, kg_color color) {
+    const kg_patch *patch = &solved->patch;
+    kg_color warning = {0.95F, 0.25F, 0.75F, 1};
     for (int i = 0; i < RULING_COUNT; i++) {
-        double v = (double)i / (RULING_COUNT - 1);
-        kg_vec3 ends[2] = {kg_patch_point(patch, patch->extent[0], v),
-                           kg_patch_point(patch, patch->extent[1], v)};
-        kg_overlay_line(o, ends, 2, style);
+        double v = (i + 0.5) / RULING_COUNT, from = 0;
+        bool bad = is_bad_ruling(patch, v), inside = false;
+        kg_style style = line_style(bad ? warning : color, bad ? 2 : 1);
+        style.color.a = bad ? 0.9F : 0.55F;
+        for (int k = 0; k <= RULING_STEPS; k++) {
+            double u =
+                patch->extent[0] + (patch->extent[1] - patch->extent[0]) * k / (double)RULING_STEPS;
+            bool now = k < RULING_STEPS && (!solved->valid || is_kept(&solved->regions, u, v));
+            if (now && !inside)
+                from = u;
+            if (inside && !now)
+                kg_overlay_line(
+                    o, (kg_vec3[]){kg_patch_point(patch, from, v), kg_patch_point(patch, u, v)}, 2,
+                    style);
+            inside = now;
+        }
     }
 }
 
@@ -252,7 +281,7 @@ static void add_points(kg_overlay *o, const kg_editor *e, const kg_model_patch *
 static void add_selected(kg_overlay *o, const kg_editor *e, const kg_model_patch *p,
                          const kg_solved_patch *solved, int rank) {
     if (solved->prepared) {
-        add_rulings(o, &solved->patch, kg_rank_color(rank));
+        add_rulings(o, solved, kg_rank_color(rank));
         add_geodesic(o, &solved->patch, kg_rank_color(rank));
         if (rank > 0 || !solved->valid)
             add_rectangle(o, &solved->patch, kg_rank_color(rank));

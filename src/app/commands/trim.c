@@ -118,7 +118,11 @@ static kg_status trim_inside(kg_editor *e, const json_t *a, kg_error *error) {
         clear_op(&op);
         return status;
     }
-    return kg_editor_finish(e, add_and_solve(e, id, &op, error));
+    status = add_and_solve(e, id, &op, error);
+    /* by hand, the face can be shown with a click, if that is what is missing */
+    if (status && !a && strstr(error->message, "keep"))
+        return kg_tool_start_face(e, id, error);
+    return kg_editor_finish(e, status);
 }
 
 /* ---- contours --------------------------------------------------------------------------- */

@@ -1,4 +1,5 @@
 /* Choosing what stays of a patch that a new trim cuts: the piece under the pointer lights up. */
+#include "app/aim.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
 #include "app/tools/tools.h"
@@ -11,6 +12,7 @@ enum { MOST_HITS = 32 };
 typedef struct state {
     int64_t patch;
     kg_hit under; /* patch 0: none */
+    bool face;    /* there are no pieces: a place on the rectangle is wanted */
 } state;
 
 static kg_trim_op *last_trim(const kg_editor *e, int64_t patch) {
@@ -44,6 +46,35 @@ static void finish(kg_editor *e) {
     kg_editor_use_default(e);
 }
 
+/* ---- a face among several ----------------------------------------------------------------- */
+
+static bool has_fault(const kg_editor *e, int64_t patch) {
+    const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), patch);
+    return !s || !s->valid;
+}
+
+/* Names the face under the pointer; where there is none nothing is named. */
+static void choose_face(kg_editor *e, const state *s, kg_trim_op *op, kg_vec2 px) {
+    const kg_solved_patch *solved = kg_solution_find(kg_editor_solution(e), s->patch);
+    kg_vec3 origin, direction;
+    kg_vec2 uv;
+    kg_pane_ray(&e->pane, px, &origin, &direction);
+    if (!solved || !solved->prepared || !kg_patch_aim(&solved->patch, origin, direction, &uv))
+        return;
+    keep(e, op, kg_patch_point(&solved->patch, uv.x, uv.y));
+    kg_editor_touch(e);
+    kg_editor_update(e);
+    if (has_fault(e, s->patch)) {
+        op->keep_count--;
+        kg_editor_say(e, KG_FAULT, "%s", _("That is no face that all the cutters border."));
+        kg_editor_touch(e);
+        return;
+    }
+    finish(e);
+}
+
+/* ---- events ----------------------------------------------------------------------------- */
+
 static bool on_event(kg_editor *e, const kg_event *event) {
     state *s = e->tool_state;
     kg_trim_op *op = last_trim(e, s->patch);
@@ -54,6 +85,10 @@ static bool on_event(kg_editor *e, const kg_event *event) {
     case KG_EVENT_PRESS:
         if (event->button != KG_MOUSE_LEFT)
             return false;
+        if (s->face && op) {
+            choose_face(e, s, op, event->position);
+            return true;
+        }
         hover(e, s, event->position);
         if (!s->under.patch || !op)
             return true;
@@ -64,7 +99,7 @@ static bool on_event(kg_editor *e, const kg_event *event) {
     case KG_EVENT_KEY:
         if (event->key == KG_KEY_ESCAPE)
             kg_editor_use_default(e); /* which takes the trim back */
-        else if (event->key == KG_KEY_ENTER || event->key == KG_KEY_PAD_ENTER)
+        else if (!s->face && (event->key == KG_KEY_ENTER || event->key == KG_KEY_PAD_ENTER))
             finish(e);
         return true;
     default:
@@ -104,13 +139,14 @@ static void draw(const kg_editor *e, kg_overlay *overlay) {
     }
 }
 
-kg_status kg_tool_start_pieces(kg_editor *e, int64_t patch, kg_error *error) {
+static kg_status start(kg_editor *e, int64_t patch, bool face, kg_error *error) {
     state *s = calloc(1, sizeof *s);
     if (!s) {
         kg_editor_cancel(e);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
     s->patch = patch;
+    s->face = face;
     /* the tool before ends without taking back the step that is open for this one */
     kg_model *before = e->before;
     e->before = NULL;
@@ -120,12 +156,27 @@ kg_status kg_tool_start_pieces(kg_editor *e, int64_t patch, kg_error *error) {
     return KG_OK;
 }
 
+kg_status kg_tool_start_pieces(kg_editor *e, int64_t patch, kg_error *error) {
+    return start(e, patch, false, error);
+}
+
+kg_status kg_tool_start_face(kg_editor *e, int64_t patch, kg_error *error) {
+    return start(e, patch, true, error);
+}
+
+static const char *hint_now(const kg_editor *e) {
+    const state *s = e->tool_state;
+    return s->face ? _("Several faces border all the cutters: click the one that stays   Esc: no "
+                       "trim")
+                   : NULL;
+}
+
 const kg_tool kg_tool_pieces = {
     "pieces",
     N_("Choose what stays"),
     N_("Click the piece that stays   Shift+click: several   Enter: all pieces   Esc: no trim"),
     on_event,
     draw,
-    NULL,
+    hint_now,
     NULL,
 };

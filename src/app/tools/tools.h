@@ -28,6 +28,10 @@ kg_vec3 kg_selection_center(const kg_editor *editor);
 /* A step that adds a trim to `patch` is open; a click chooses the pieces that stay. */
 kg_status kg_tool_start_pieces(kg_editor *editor, int64_t patch, kg_error *error) KG_CHECKED;
 
+/* The same where the trim has several faces to choose from and so no piece yet: a click on the
+ * patch's rectangle names one. */
+kg_status kg_tool_start_face(kg_editor *editor, int64_t patch, kg_error *error) KG_CHECKED;
+
 /* Clicks draw a contour on a patch. */
 kg_status kg_tool_start_contour(kg_editor *editor, int64_t patch, kg_error *error) KG_CHECKED;
 
