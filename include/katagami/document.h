@@ -11,6 +11,7 @@
 #include "katagami/model.h"
 #include "katagami/net.h"
 #include "katagami/oa.h"
+#include "katagami/origami.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -21,12 +22,18 @@ extern "C" {
 #define KG_NET_CHORD 0.002
 #define KG_MESH_CHORD 0.02
 
-typedef enum kg_document_kind { KG_DOCUMENT_PATCHES, KG_DOCUMENT_OA } kg_document_kind;
+typedef enum kg_document_kind {
+    KG_DOCUMENT_PATCHES,
+    KG_DOCUMENT_OA,
+    KG_DOCUMENT_ORIGAMI
+} kg_document_kind;
 
 typedef struct kg_document kg_document;
 
-/* Reads NAME.katagami of any mode; "-" is standard input (references are then looked for in the
- * working directory). KG_ERR_IO, KG_ERR_PARSE: the message names file and line. */
+/* Reads NAME.katagami of any mode, or a crease pattern (.fold, .cp), which is folded; "-" is
+ * standard input (references are then looked for in the working directory). KG_ERR_IO,
+ * KG_ERR_PARSE: the message names file and line; KG_ERR_INPUT, KG_ERR_CANCELLED: a pattern that
+ * cannot be folded flat, or could not be in time. */
 KG_API kg_status kg_document_read(const char *path, kg_document **out_document,
                                   kg_error *error) KG_CHECKED;
 
@@ -35,6 +42,8 @@ KG_API kg_status kg_document_from_model(kg_model *model, const char *path,
                                         kg_document **out_document, kg_error *error) KG_CHECKED;
 KG_API kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_document,
                                      kg_error *error) KG_CHECKED;
+KG_API kg_status kg_document_from_origami(kg_origami *origami, const char *path,
+                                          kg_document **out_document, kg_error *error) KG_CHECKED;
 KG_API void kg_document_destroy(kg_document *document);
 
 /* Writes the document's file, whole or not at all; from then on it lies there. A reference named
@@ -53,6 +62,10 @@ KG_API const char *kg_document_title(const kg_document *document);
 KG_API kg_model *kg_document_model(kg_document *document);
 /* The card of a pop-up document, else NULL. */
 KG_API kg_oa *kg_document_oa(kg_document *document);
+/* The sheets of an origami document, else NULL. */
+KG_API kg_origami *kg_document_origami(kg_document *document);
+/* What is known of the layers of a crease pattern that was read; NULL for all others. */
+KG_API const kg_layer_report *kg_document_layers(const kg_document *document);
 
 /* Works out everything that follows from the model, with chord errors up to `chord` mm. Needed
  * before the calls below, and again after the model was changed; then only what changed is done
@@ -66,6 +79,10 @@ KG_API const kg_oa_stability *kg_document_stability(const kg_document *document)
 /* How far a card stands open in meshes and exports: the angle between its sheets, in [0, π];
  * standing (π/2) at first. Documents that do not fold take no notice. */
 KG_API void kg_document_set_open(kg_document *document, double angle);
+/* How many folds of an origami are done in meshes and exports; all of them at first. Other
+ * documents take no notice. KG_ERR_INPUT: there are not so many. */
+KG_API kg_status kg_document_set_step(kg_document *document, size_t step,
+                                      kg_error *error) KG_CHECKED;
 
 KG_API size_t kg_document_issue_count(const kg_document *document);
 KG_API const kg_issue *kg_document_issue(const kg_document *document, size_t index);
@@ -107,13 +124,14 @@ KG_API kg_status kg_document_net_options(const kg_document *document, kg_net_opt
 
 /* The surface: one group per patch in document order, fronts outward, colours of the palette given
  * by `color` (linear RGBA of group i; NULL: grey). Constructions are left out. A card stands as
- * kg_oa_pose puts it. */
+ * kg_oa_pose puts it, sheets are folded, a group each in the colour of its front. */
 typedef void (*kg_group_color)(size_t group, float out_rgba[4]);
 KG_API kg_status kg_document_mesh(const kg_document *document, kg_group_color color,
                                   kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
 
 /* Writes the surface as kg_mesh_write does; a card as glTF with its folding as an animation, and
- * with the ending .fold its crease pattern. */
+ * with the ending .fold its crease pattern; sheets as .fold with all steps, as .cp their crease
+ * pattern. */
 KG_API kg_status kg_document_export(const kg_document *document, const char *path,
                                     kg_group_color color, kg_error *error) KG_CHECKED;
 

@@ -24,12 +24,12 @@ struct json_t;
 /* ---- states ----------------------------------------------------------------------------- */
 
 /* Kinds of edges. */
-typedef enum kg_edge_kind {
-    KG_EDGE_BORDER, /* paper on one side only */
-    KG_EDGE_CREASE, /* folded, or folded once and flat again */
-    KG_EDGE_JOIN,   /* no crease: where a concave face is divided into convex loops */
-    KG_EDGE_OPEN    /* a crease that is neither mountain nor valley yet (crease patterns) */
-} kg_edge_kind;
+typedef enum kg_paper_edge_kind {
+    KG_PAPER_BORDER, /* paper on one side only */
+    KG_PAPER_CREASE, /* folded, or folded once and flat again */
+    KG_PAPER_JOIN,   /* no crease: where a concave face is divided into convex loops */
+    KG_PAPER_OPEN    /* a crease that is neither mountain nor valley yet (crease patterns) */
+} kg_paper_edge_kind;
 
 typedef struct kg_paper_vertex {
     kg_vec2 paper;    /* on its sheet, in the sheet's own coordinates */
@@ -45,7 +45,7 @@ typedef struct kg_half_edge {
 } kg_half_edge;
 
 typedef struct kg_paper_edge {
-    kg_edge_kind kind;
+    kg_paper_edge_kind kind;
     double angle; /* of folding, in [-π, π]: positive valley, negative mountain, seen from the
                      front; 0 flat */
 } kg_paper_edge;
@@ -107,12 +107,12 @@ KG_API kg_vec3 kg_origami_normal(const kg_origami_state *state, int32_t loop);
 
 /* ---- sheets and folds ------------------------------------------------------------------- */
 
-typedef struct kg_sheet {
+typedef struct kg_paper_sheet {
     size_t count;
     kg_vec2 *polygon;     /* simple, any direction, in the plane z = 0 */
     uint32_t front, back; /* colours, 0xrrggbb */
     struct json_t *json;  /* the object as read, for its unknown keys; may be NULL */
-} kg_sheet;
+} kg_paper_sheet;
 
 /* One fold, in the coordinates of the state it starts from. Points within a thousandth of the
  * state's size of a vertex mean that vertex. */
@@ -143,10 +143,10 @@ KG_API void kg_origami_destroy(kg_origami *origami);
 /* Puts a sheet on top of the others (copied). Only before the first fold. Errors: KG_ERR_INPUT for
  * polygons of fewer than 3 corners, that cross or touch themselves, without area, or beyond
  * 1e6 mm; KG_ERR_MEMORY. */
-KG_API kg_status kg_origami_add_sheet(kg_origami *origami, const kg_sheet *sheet,
+KG_API kg_status kg_origami_add_sheet(kg_origami *origami, const kg_paper_sheet *sheet,
                                       kg_error *error) KG_CHECKED;
 KG_API size_t kg_origami_sheet_count(const kg_origami *origami);
-KG_API const kg_sheet *kg_origami_sheet(const kg_origami *origami, size_t index);
+KG_API const kg_paper_sheet *kg_origami_sheet(const kg_origami *origami, size_t index);
 
 /* The state after the first `step` folds, up to kg_origami_step(). */
 KG_API const kg_origami_state *kg_origami_state_at(const kg_origami *origami, size_t step);
@@ -173,6 +173,20 @@ KG_API kg_status kg_origami_unfold(kg_origami *origami, size_t index, kg_error *
 KG_API void kg_origami_between(const kg_origami *origami, size_t step, double fraction,
                                kg_vec3 *out_positions);
 
+/* Colours of a sheet, 0xrrggbb; of sheets of imported patterns, red and white. */
+KG_API void kg_origami_colours(const kg_origami *origami, int32_t sheet, uint32_t *out_front,
+                               uint32_t *out_back);
+
+/* ---- drawing ---------------------------------------------------------------------------- */
+
+/* Heights at which the layers of each group are drawn, in layers above the group's plane along its
+ * normal, so that loops on each other are seen in their order from both sides: one number for every
+ * half-edge, the height of its origin in its loop (0 outside the paper). Loops stay flat but in
+ * groups where they lie over one another in a ring; there each corner counts the layers below it.
+ * Errors: KG_ERR_MEMORY. */
+KG_API kg_status kg_origami_heights(const kg_origami_state *state, double *out_heights,
+                                    kg_error *error) KG_CHECKED;
+
 /* ---- crease patterns -------------------------------------------------------------------- */
 
 /* What was found out about the layers of a folded crease pattern. */
@@ -192,8 +206,8 @@ KG_API kg_layer_report kg_layer_report_default(void);
 /* Reads a crease pattern: FOLD 1.2 (.fold: its first frame with flat vertices) or .cp (lines
  * `type x1 y1 x2 y2`: 1 border, 2 mountain, 3 valley, 4 flat), folds it as its angles say and finds
  * the order of its layers, unless the file holds it. The first state is the folded one; folds may
- * follow. Errors: KG_ERR_PARSE naming file and line; KG_ERR_INPUT when it cannot be folded flat: the
- * vertex that breaks Kawasaki's or Maekawa's condition, or that no order of layers is possible,
+ * follow. Errors: KG_ERR_PARSE naming file and line; KG_ERR_INPUT when it cannot be folded flat:
+ * the vertex that breaks Kawasaki's or Maekawa's condition, or that no order of layers is possible,
  * which is proved; KG_ERR_CANCELLED when most_steps did not suffice. `report` may be NULL. */
 KG_API kg_status kg_origami_import(const char *path, kg_origami **out_origami,
                                    kg_layer_report *report, kg_error *error) KG_CHECKED;

@@ -3,6 +3,7 @@
 #include "cli/card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/paper.h"
 #include "katagami/document.h"
 
 #include <stdio.h>
@@ -44,6 +45,8 @@ static kg_status print_json(kg_document *d, kg_error *error) {
         json_object_set_new(root, "card", card);
         status = card || status ? status : error->status;
     }
+    if (kg_document_origami(d))
+        json_object_set_new(root, "origami", kg_paper_json(d));
     const kg_solution *s = kg_document_solution(d);
     for (size_t i = 0; s && i < kg_solution_count(s); i++)
         json_array_append_new(
@@ -70,6 +73,11 @@ static kg_status print_text(kg_document *d, kg_error *error) {
         status = kg_card_print(d, &net, error);
         kg_document_net_clear(&net);
         return status;
+    }
+    if (kg_document_origami(d)) {
+        kg_paper_print(d);
+        kg_document_net_clear(&net);
+        return KG_OK;
     }
     const kg_solution *s = kg_document_solution(d);
     printf("%s: %zu patches, %zu parts, %zu joins, %zu warnings\n", kg_document_title(d),

@@ -13,6 +13,7 @@ static const kg_option options[] = {
     {"size", 0, true, "WxH", "size in pixels (1200x800)"},
     {"view", 0, true, "NAME", "front, back, left, right, top, bottom or iso (iso)"},
     {"open", 0, true, "DEG", "how far a card is open: 0 closed, 90 standing, 180 flat (90)"},
+    {"step", 0, true, "N", "sheets after so many folds (all of them)"},
     {"reference", 0, true, "OPACITY", "how opaque the reference is, 0 to 1 (the model's own)"},
     {"samples", 0, true, "N", "N x N samples for each pixel (2)"},
 };
@@ -29,6 +30,7 @@ typedef struct picture {
     kg_view view;
     double opacity; /* of the reference; below 0: the model's own */
     double open_deg;
+    double step; /* below 0: the last */
 } picture;
 
 /* What is drawn: shapes to be destroyed afterwards, and the items that show them. */
@@ -55,6 +57,20 @@ static void stage_clear(stage *s) {
     free(s->items);
 }
 
+/* Plain paper colours for sheets and cards, the palette for patches. */
+static kg_style style_of(kg_document *d, const kg_mesh *mesh, size_t group) {
+    const kg_origami *origami = kg_document_origami(d);
+    if (!origami)
+        return kg_style_default(kg_document_oa(d) ? kg_color_from_linear(mesh->groups[group].color)
+                                                  : kg_palette(group));
+    uint32_t front, back;
+    kg_origami_colours(origami, (int32_t)group, &front, &back);
+    kg_style style = kg_style_default(kg_color_from_linear(mesh->groups[group].color));
+    style.back = (kg_color){(float)(back >> 16 & 0xff) / 255.0F, (float)(back >> 8 & 0xff) / 255.0F,
+                            (float)(back & 0xff) / 255.0F, 1};
+    return style;
+}
+
 /* One group of a mesh as a surface and its outlines. */
 static kg_status add_group(stage *s, const kg_mesh *mesh, size_t first, size_t count, double crease,
                            kg_style style, bool outlines, kg_error *error) {
@@ -78,13 +94,11 @@ static kg_status add_model(stage *s, kg_document *d, kg_error *error) {
     kg_status status = kg_document_mesh(d, NULL, &mesh, error);
     if (status)
         return status;
-    double crease = kg_document_oa(d) ? CARD_CREASE : PATCH_CREASE;
+    double crease = kg_document_model(d) ? PATCH_CREASE : CARD_CREASE;
     for (size_t i = 0; i < mesh->group_count && !status; i++) {
         const kg_mesh_group *g = &mesh->groups[i];
         if (g->face_count > 0)
-            status = add_group(s, mesh, g->first_face, g->face_count, crease,
-                               kg_style_default(kg_document_oa(d) ? kg_color_from_linear(g->color)
-                                                                  : kg_palette(i)),
+            status = add_group(s, mesh, g->first_face, g->face_count, crease, style_of(d, mesh, i),
                                true, error);
     }
     kg_mesh_destroy(mesh);
@@ -118,7 +132,11 @@ static kg_status draw(kg_document *d, const picture *p, const char *path, kg_err
     if (status)
         return status;
     const kg_solution *solution = kg_document_solution(d);
-    stage s = {.capacity = 2 * (solution ? kg_solution_count(solution) : 0) + MAX_ITEMS};
+    const kg_origami *origami = kg_document_origami(d);
+    size_t groups = solution  ? kg_solution_count(solution)
+                    : origami ? kg_origami_state_at(origami, 0)->loops.count
+                              : 0;
+    stage s = {.capacity = 2 * groups + MAX_ITEMS};
     s.shapes = calloc(s.capacity, sizeof *s.shapes);
     s.items = calloc(s.capacity, sizeof *s.items);
     if (!s.shapes || !s.items)
@@ -153,7 +171,7 @@ static int read_picture(const kg_arguments *a, picture *out) {
     const char *size = kg_arguments_get(a, "size"), *view = kg_arguments_get(a, "view");
     double samples = 2;
     char rest;
-    *out = (picture){1200, 800, 2, KG_VIEW_ISO, -1, 90};
+    *out = (picture){1200, 800, 2, KG_VIEW_ISO, -1, 90, -1};
     if (size && (sscanf(size, "%dx%d%c", &out->width, &out->height, &rest) != 2 || out->width < 1 ||
                  out->height < 1 || out->width > 16384 || out->height > 16384))
         return kg_command_misuse("render", "--size is WxH in pixels, not %s", size);
@@ -161,6 +179,7 @@ static int read_picture(const kg_arguments *a, picture *out) {
         return kg_command_misuse("render", "there is no view called %s", view);
     if (!kg_arguments_number(a, "reference", 0, 1, &out->opacity) ||
         !kg_arguments_number(a, "open", 0, 180, &out->open_deg) ||
+        !kg_arguments_number(a, "step", 0, 1e6, &out->step) ||
         !kg_arguments_number(a, "samples", 1, 8, &samples))
         return KG_EXIT_USAGE;
     out->samples = (int)samples;
@@ -184,6 +203,8 @@ int kg_command_render(int argc, char **argv) {
     kg_status status = kg_document_read(a.words[0], &document, &error);
     if (!status)
         status = kg_document_solve(document, KG_MESH_CHORD, &error);
+    if (!status && wanted.step >= 0)
+        status = kg_document_set_step(document, (size_t)wanted.step, &error);
     if (!status) {
         kg_document_set_open(document, wanted.open_deg * acos(-1.0) / 180);
         status = draw(document, &wanted, path, &error);

@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 kg_status kg_document_from_model(kg_model *model, const char *path, kg_document **out_document,
                                  kg_error *error) {
@@ -42,31 +43,74 @@ kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_doc
     return KG_OK;
 }
 
-/* Is it JSON that says it is a card? What is no JSON is left to the reader of models to refuse. */
-static bool is_card(const char *data, size_t size) {
-    if (!strstr(data, "\"oa\"")) /* most are not: spare them a parse */
+kg_status kg_document_from_origami(kg_origami *origami, const char *path,
+                                   kg_document **out_document, kg_error *error) {
+    kg_document *d = calloc(1, sizeof *d);
+    kg_paper *paper = kg_paper_create(origami);
+    if (d && path)
+        d->path = strdup(path);
+    if (!d || !paper || (path && !d->path)) {
+        free(d);
+        kg_paper_destroy(paper);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    d->kind = KG_DOCUMENT_ORIGAMI;
+    d->paper = paper;
+    *out_document = d;
+    return KG_OK;
+}
+
+static bool ends_in(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n >= m && strcasecmp(path + n - m, ending) == 0;
+}
+
+static kg_status read_pattern(const char *path, kg_document **out_document, kg_error *error) {
+    kg_origami *origami;
+    kg_layer_report report = kg_layer_report_default();
+    kg_status status = kg_origami_import(path, &origami, &report, error);
+    if (!status)
+        status = kg_document_from_origami(origami, path, out_document, error);
+    if (!status) {
+        (*out_document)->paper->imported = true;
+        (*out_document)->paper->report = report;
+    }
+    return status;
+}
+
+/* Is it JSON that says it is of this kind? What is no JSON is left to the reader of models to
+ * refuse. */
+static bool is_kind(const char *data, size_t size, const char *wanted) {
+    if (!strstr(data, wanted)) /* most are not: spare them a parse */
         return false;
     size_t mark = size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
     json_t *root = json_loadb(data + mark, size - mark, 0, NULL);
     const char *kind = json_string_value(json_object_get(root, "kind"));
-    bool card = kind && strcmp(kind, "oa") == 0;
+    bool is = kind && strcmp(kind, wanted) == 0;
     json_decref(root);
-    return card;
+    return is;
 }
 
 kg_status kg_document_read(const char *path, kg_document **out_document, kg_error *error) {
     const char *name = strcmp(path, "-") ? path : "standard input";
     kg_model *model;
     kg_oa *oa;
+    kg_origami *origami;
     char *data;
     size_t size;
+    if (ends_in(path, ".fold") || ends_in(path, ".cp"))
+        return read_pattern(path, out_document, error);
     kg_status status = kg_file_read(path, &data, &size, error);
     if (status)
         return status;
-    if (is_card(data, size)) {
+    if (is_kind(data, size, "oa")) {
         status = kg_oa_read_memory(data, size, name, &oa, error);
         if (!status)
             status = kg_document_from_oa(oa, path, out_document, error);
+    } else if (is_kind(data, size, "origami")) {
+        status = kg_origami_read_memory(data, size, name, &origami, error);
+        if (!status)
+            status = kg_document_from_origami(origami, path, out_document, error);
     } else {
         status = kg_model_read_memory(data, size, name, &model, error);
         if (!status)
@@ -82,6 +126,7 @@ void kg_document_destroy(kg_document *d) {
     kg_model_destroy(d->model);
     kg_solution_destroy(d->solution);
     kg_card_destroy(d->card);
+    kg_paper_destroy(d->paper);
     free(d->path);
     free(d);
 }
@@ -91,7 +136,9 @@ kg_document_kind kg_document_get_kind(const kg_document *d) {
 }
 
 const char *kg_document_title(const kg_document *d) {
-    return d->card ? d->card->oa->title : d->model->title;
+    return d->card    ? d->card->oa->title
+           : d->paper ? kg_origami_title(d->paper->origami)
+                      : d->model->title;
 }
 
 kg_model *kg_document_model(kg_document *d) {
@@ -115,9 +162,30 @@ void kg_document_set_open(kg_document *d, double angle) {
         d->card->open = angle;
 }
 
+kg_origami *kg_document_origami(kg_document *d) {
+    return d->paper ? d->paper->origami : NULL;
+}
+
+const kg_layer_report *kg_document_layers(const kg_document *d) {
+    return d->paper && d->paper->imported ? &d->paper->report : NULL;
+}
+
+kg_status kg_document_set_step(kg_document *d, size_t step, kg_error *error) {
+    if (!d->paper)
+        return KG_OK;
+    size_t count = kg_origami_step(d->paper->origami);
+    if (step > count)
+        return kg_fail(error, KG_ERR_INPUT, "there is no step %zu: the sheets are folded %zu times",
+                       step, count);
+    d->paper->step = step;
+    return KG_OK;
+}
+
 kg_status kg_document_solve(kg_document *d, double chord, kg_error *error) {
     if (d->card)
         return kg_card_solve(d->card, error);
+    if (d->paper) /* its folds were replayed as it was read */
+        return KG_OK;
     kg_solution *previous = d->solution;
     d->solution = NULL;
     return kg_solution_create(d->model, chord, previous, &d->solution, error);
@@ -128,7 +196,7 @@ const kg_solution *kg_document_solution(const kg_document *d) {
 }
 
 size_t kg_document_issue_count(const kg_document *d) {
-    return d->card ? d->card->issues.count : kg_solution_issue_count(d->solution);
+    return d->card ? d->card->issues.count : d->paper ? 0 : kg_solution_issue_count(d->solution);
 }
 
 const kg_issue *kg_document_issue(const kg_document *d, size_t index) {
@@ -137,7 +205,7 @@ const kg_issue *kg_document_issue(const kg_document *d, size_t index) {
 
 kg_status kg_document_check(const kg_document *d, kg_error *error) {
     kg_status status = KG_OK;
-    if (!d->card)
+    if (d->model)
         status = kg_solution_check(d->solution, error);
     for (size_t i = 0; d->card && i < d->card->issues.count && !status; i++)
         if (d->card->issues.items[i].severity == KG_FAULT)

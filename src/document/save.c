@@ -53,11 +53,12 @@ static char *moved_reference(const kg_document *d, const char *path) {
     return moved;
 }
 
-/* A card names no other files. */
-static kg_status save_card(kg_document *d, const char *path, kg_error *error) {
+/* Cards and sheets name no other files. */
+static kg_status save_alone(kg_document *d, const char *path, kg_error *error) {
     char *copy = strdup(path);
-    kg_status status = copy ? kg_oa_write(d->card->oa, path, error)
-                            : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status = !copy      ? kg_fail(error, KG_ERR_MEMORY, "out of memory")
+                       : d->paper ? kg_origami_write(d->paper->origami, path, error)
+                                  : kg_oa_write(d->card->oa, path, error);
     if (status) {
         free(copy);
         return status;
@@ -68,8 +69,8 @@ static kg_status save_card(kg_document *d, const char *path, kg_error *error) {
 }
 
 kg_status kg_document_save(kg_document *d, const char *path, kg_error *error) {
-    if (d->card)
-        return save_card(d, path, error);
+    if (d->card || d->paper)
+        return save_alone(d, path, error);
     char *copy = strdup(path), **file = &d->model->reference.file, *old = *file;
     if (!copy)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");

@@ -52,7 +52,7 @@ static kg_status add(finder *f, kg_condition c) {
 static bool runs_inside(const finder *f, const crease *e, int32_t loop) {
     kg_vec2 p = e->ends[0], d = kg_sub2(e->ends[1], p);
     double length = kg_len2(d), t[2] = {0, 1};
-    const kg_vec2 *q = kg_outline(f->outlines, loop);
+    const kg_vec2 *q = kg_outline_points(f->outlines, loop);
     size_t n = kg_outline_size(f->outlines, loop);
     for (size_t i = 0; i < n; i++) {
         kg_vec2 side = kg_sub2(q[i + 1 < n ? i + 1 : 0], q[i]);

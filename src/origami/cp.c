@@ -106,14 +106,17 @@ char *kg_cp_text(const kg_origami_state *s) {
         const kg_paper_edge *edge = &s->edges.items[e];
         const kg_paper_vertex *a = &s->vertices.items[s->halves.items[2 * e].origin],
                               *b = &s->vertices.items[s->halves.items[2 * e + 1].origin];
-        if (edge->kind == KG_EDGE_JOIN)
+        if (edge->kind == KG_PAPER_JOIN)
             continue;
         kg_vec2 p = kg_add2(a->paper, shifts[a->sheet]), q = kg_add2(b->paper, shifts[b->sheet]);
         double v[4] = {p.x, -p.y, q.x, -q.y};
         char line[160], digits[4][32];
         for (int k = 0; k < 4; k++)
             kg_json_number(v[k] == 0 ? 0 : v[k], digits[k]);
-        int type = edge->kind == KG_EDGE_BORDER ? 1 : edge->angle < 0 ? 2 : edge->angle > 0 ? 3 : 4;
+        int type = edge->kind == KG_PAPER_BORDER ? 1
+                   : edge->angle < 0             ? 2
+                   : edge->angle > 0             ? 3
+                                                 : 4;
         int n = snprintf(line, sizeof line, "%d %s %s %s %s\n", type, digits[0], digits[1],
                          digits[2], digits[3]);
         for (int k = 0; k < n && ok; k++)

@@ -20,7 +20,7 @@ void kg_face_list_clear(kg_face_list *list) {
     *list = (kg_face_list){0};
 }
 
-kg_status kg_state_add_edge(kg_origami_state *s, int32_t from, int32_t to, kg_edge_kind kind,
+kg_status kg_state_add_edge(kg_origami_state *s, int32_t from, int32_t to, kg_paper_edge_kind kind,
                             double angle) {
     kg_half_edge there = {from, -1, -1}, back = {to, -1, -1};
     kg_paper_edge edge = {kind, angle};
@@ -89,7 +89,7 @@ static size_t best_cut(const kg_origami_state *s, const int32_t *c, size_t n, si
     return best;
 }
 
-/* Cuts faces until all are convex; every cut makes a KG_EDGE_JOIN. */
+/* Cuts faces until all are convex; every cut makes a KG_PAPER_JOIN. */
 static kg_status divide(kg_origami_state *s, kg_face_list *faces, const int32_t *corners,
                         size_t count, size_t face, kg_error *error) {
     int32_t *part = malloc((count + 1) * sizeof *part);
@@ -109,7 +109,7 @@ static kg_status divide(kg_origami_state *s, kg_face_list *faces, const int32_t 
             status = kg_fail(error, KG_ERR_INPUT, "face %zu crosses itself", face);
             break;
         }
-        status = kg_state_add_edge(s, c[i], c[j], KG_EDGE_JOIN, 0);
+        status = kg_state_add_edge(s, c[i], c[j], KG_PAPER_JOIN, 0);
         for (int side = 0; side < 2 && !status; side++) {
             size_t m = 0, from = side ? j : i, to = side ? i : j;
             c = rest.corners.items + rest.starts.items[f];

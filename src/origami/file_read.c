@@ -47,7 +47,7 @@ static kg_status read_color(kg_json_place *p, const json_t *sheet, const char *k
     return status;
 }
 
-static kg_status read_polygon(kg_json_place *p, const json_t *v, kg_sheet *out) {
+static kg_status read_polygon(kg_json_place *p, const json_t *v, kg_paper_sheet *out) {
     kg_json_enter(p, "polygon", 0);
     kg_status status = json_is_array(v) ? KG_OK
                                         : kg_json_fail(p, "a sheet has a \"polygon\": a list of "
@@ -80,7 +80,8 @@ static kg_status read_sheets(kg_json_place *p, const json_t *origami, bool neede
         status = kg_json_fail(p, "\"sheets\" is a list of 1 to %d sheets", MAX_SHEETS);
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *v = json_array_get(list, i);
-        kg_sheet sheet = {.front = 0xcc3333, .back = 0xffffff, .json = keep_json(v)};
+        kg_paper_sheet sheet = {
+            .front = KG_DEFAULT_FRONT, .back = KG_DEFAULT_BACK, .json = keep_json(v)};
         kg_json_enter(p, NULL, i);
         status = read_polygon(p, json_object_get(v, "polygon"), &sheet);
         if (!status)

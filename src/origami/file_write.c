@@ -38,7 +38,7 @@ static void set_color(json_t *o, const char *key, uint32_t color) {
     json_object_set_new(o, key, json_string(text));
 }
 
-static json_t *write_sheet(const kg_sheet *s) {
+static json_t *write_sheet(const kg_paper_sheet *s) {
     json_t *o = start(s->json), *polygon = json_array();
     for (size_t i = 0; i < s->count; i++)
         json_array_append_new(polygon, point(&s->polygon[i].x, 2));

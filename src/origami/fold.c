@@ -124,7 +124,7 @@ static kg_status turn_edges(cutting *c, const kg_fold_axis *a, kg_error *error) 
         if (fabs(angle) > PI - KG_LEAST_ANGLE)
             angle = copysign(PI, angle);
         edge->angle = fabs(angle) < KG_LEAST_ANGLE ? 0 : angle;
-        edge->kind = KG_EDGE_CREASE;
+        edge->kind = KG_PAPER_CREASE;
     }
     return KG_OK;
 }

@@ -50,12 +50,12 @@ static json_t *numbers(const double *x, size_t n) {
 }
 
 static const char *letter(const kg_paper_edge *e) {
-    return e->kind == KG_EDGE_BORDER ? "B"
-           : e->kind == KG_EDGE_JOIN ? "J"
-           : e->kind == KG_EDGE_OPEN ? "U"
-           : e->angle == 0           ? "F"
-           : e->angle > 0            ? "V"
-                                     : "M";
+    return e->kind == KG_PAPER_BORDER ? "B"
+           : e->kind == KG_PAPER_JOIN ? "J"
+           : e->kind == KG_PAPER_OPEN ? "U"
+           : e->angle == 0            ? "F"
+           : e->angle > 0             ? "V"
+                                      : "M";
 }
 
 static void write_topology(const kg_origami_state *s, json_t *frame) {
@@ -68,7 +68,7 @@ static void write_topology(const kg_origami_state *s, json_t *frame) {
         json_array_append_new(ends, json_pack("[i,i]", s->halves.items[2 * e].origin,
                                               s->halves.items[2 * e + 1].origin));
         json_array_append_new(letters, json_string(letter(edge)));
-        json_array_append_new(angles, edge->kind == KG_EDGE_OPEN ? json_null() : number(degrees));
+        json_array_append_new(angles, edge->kind == KG_PAPER_OPEN ? json_null() : number(degrees));
     }
     for (size_t i = 0; i < s->loops.count; i++) {
         json_t *face = json_array();

@@ -124,14 +124,14 @@ static kg_status arrival(const landing *l, int32_t moving, int32_t resting, bool
                          int *out_above) {
     const kg_outlines *o = &l->outlines;
     const kg_face_group *g = &l->after->groups.items[l->after->loops.items[moving].group];
-    kg_vec2 at = middle(kg_outline(o, moving), kg_outline_size(o, moving));
+    kg_vec2 at = middle(kg_outline_points(o, moving), kg_outline_size(o, moving));
     if (!through_axis) {
         size_t na = kg_outline_size(o, moving), nb = kg_outline_size(o, resting);
         kg_vec2 *scratch = malloc(2 * (na + nb + 2) * sizeof *scratch);
         if (!scratch)
             return KG_ERR_MEMORY;
-        size_t n = kg_convex_common(kg_outline(o, moving), na, kg_outline(o, resting), nb, scratch,
-                                    scratch + na + nb + 2);
+        size_t n = kg_convex_common(kg_outline_points(o, moving), na, kg_outline_points(o, resting),
+                                    nb, scratch, scratch + na + nb + 2);
         if (n > 0)
             at = middle(scratch, n);
         free(scratch);

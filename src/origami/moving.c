@@ -84,8 +84,8 @@ static bool overlap_beyond(const kg_folding *f, int32_t a, int32_t b, kg_vec2 *s
     double offset = kg_dot(f->axis.origin, kg_madd(kg_scale(u, m.x), m.y, v));
     const kg_outlines *o = &f->outlines;
     kg_vec2 *second = scratch + kg_outline_size(o, a) + 2;
-    size_t n = kg_convex_clip(kg_outline(o, a), kg_outline_size(o, a), m, offset, scratch);
-    size_t k = kg_convex_clip(kg_outline(o, b), kg_outline_size(o, b), m, offset, second);
+    size_t n = kg_convex_clip(kg_outline_points(o, a), kg_outline_size(o, a), m, offset, scratch);
+    size_t k = kg_convex_clip(kg_outline_points(o, b), kg_outline_size(o, b), m, offset, second);
     return n > 0 && k > 0 && kg_convex_overlap(scratch, n, second, k, f->state->touch);
 }
 
@@ -94,8 +94,8 @@ static bool pushes(const kg_folding *f, int32_t loop, int32_t other, int above, 
     const kg_outlines *o = &f->outlines;
     const kg_face_group *g = &f->state->groups.items[f->state->loops.items[loop].group];
     size_t na = kg_outline_size(o, loop), nb = kg_outline_size(o, other);
-    size_t n = kg_convex_common(kg_outline(o, loop), na, kg_outline(o, other), nb, scratch,
-                                scratch + na + nb + 2);
+    size_t n = kg_convex_common(kg_outline_points(o, loop), na, kg_outline_points(o, other), nb,
+                                scratch, scratch + na + nb + 2);
     kg_vec3 u, v;
     kg_plane_axes(g->normal, &u, &v);
     for (size_t i = 0; i < n; i++) {

@@ -77,7 +77,7 @@ static kg_status add_creases(const kg_origami_state *s, int32_t sheet, kg_net *n
     for (size_t e = 0; e < s->edges.count; e++) {
         const kg_paper_edge *edge = &s->edges.items[e];
         int32_t h = (int32_t)(2 * e), loop = kg_loop_of(s, h);
-        if (edge->kind != KG_EDGE_CREASE || edge->angle == 0 || loop < 0 ||
+        if (edge->kind != KG_PAPER_CREASE || edge->angle == 0 || loop < 0 ||
             s->loops.items[loop].sheet != sheet)
             continue;
         kg_vec2 ends[2] = {on_page(s, h), on_page(s, h + 1)};

@@ -48,13 +48,13 @@ void kg_origami_destroy(kg_origami *o) {
     free(o);
 }
 
-kg_status kg_origami_add_sheet(kg_origami *o, const kg_sheet *sheet, kg_error *error) {
+kg_status kg_origami_add_sheet(kg_origami *o, const kg_paper_sheet *sheet, kg_error *error) {
     if (o->folds.count > 0)
         return kg_fail(error, KG_ERR_INPUT, "sheets come before the first fold");
     kg_status status = kg_sheet_check(sheet, error);
     if (status)
         return status;
-    kg_sheet copy = *sheet;
+    kg_paper_sheet copy = *sheet;
     copy.polygon = malloc(sheet->count * sizeof *copy.polygon);
     if (!copy.polygon || !kg_push(&o->sheets, copy)) {
         free(copy.polygon);
@@ -79,7 +79,7 @@ size_t kg_origami_sheet_count(const kg_origami *o) {
     return o->sheets.count;
 }
 
-const kg_sheet *kg_origami_sheet(const kg_origami *o, size_t index) {
+const kg_paper_sheet *kg_origami_sheet(const kg_origami *o, size_t index) {
     return &o->sheets.items[index];
 }
 
@@ -97,6 +97,13 @@ size_t kg_origami_fold_count(const kg_origami *o) {
 
 const kg_fold *kg_origami_fold_at(const kg_origami *o, size_t index) {
     return &o->folds.items[index];
+}
+
+void kg_origami_colours(const kg_origami *o, int32_t sheet, uint32_t *out_front,
+                        uint32_t *out_back) {
+    bool known = sheet >= 0 && (size_t)sheet < o->sheets.count;
+    *out_front = known ? o->sheets.items[sheet].front : KG_DEFAULT_FRONT;
+    *out_back = known ? o->sheets.items[sheet].back : KG_DEFAULT_BACK;
 }
 
 const char *kg_origami_title(const kg_origami *o) {

@@ -4,10 +4,14 @@
 
 #include "origami/state.h"
 
+/* Colours of sheets that name none, 0xrrggbb. */
+#define KG_DEFAULT_FRONT 0xcc3333
+#define KG_DEFAULT_BACK 0xffffff
+
 struct kg_origami {
     char *title; /* never NULL */
     struct {
-        kg_sheet *items;
+        kg_paper_sheet *items;
         size_t count, capacity;
     } sheets;
     struct {
@@ -23,10 +27,10 @@ struct kg_origami {
 };
 
 /* The flat sheets, later ones on top. */
-kg_status kg_state_from_sheets(const kg_sheet *sheets, size_t count, kg_origami_state **out_state,
-                               kg_error *error);
+kg_status kg_state_from_sheets(const kg_paper_sheet *sheets, size_t count,
+                               kg_origami_state **out_state, kg_error *error);
 
 /* KG_ERR_INPUT when the polygon is no sheet. */
-kg_status kg_sheet_check(const kg_sheet *sheet, kg_error *error);
+kg_status kg_sheet_check(const kg_paper_sheet *sheet, kg_error *error);
 
 #endif

@@ -46,8 +46,8 @@ bool kg_outlines_overlap(const kg_outlines *o, int32_t a, int32_t b, double tole
     const kg_box2 *x = &o->boxes[a], *y = &o->boxes[b];
     return x->lo.x + tolerance < y->hi.x && y->lo.x + tolerance < x->hi.x &&
            x->lo.y + tolerance < y->hi.y && y->lo.y + tolerance < x->hi.y &&
-           kg_convex_overlap(kg_outline(o, a), kg_outline_size(o, a), kg_outline(o, b),
-                             kg_outline_size(o, b), tolerance);
+           kg_convex_overlap(kg_outline_points(o, a), kg_outline_size(o, a),
+                             kg_outline_points(o, b), kg_outline_size(o, b), tolerance);
 }
 
 /* ---- orders ----------------------------------------------------------------------------- */

@@ -19,7 +19,7 @@ void kg_outlines_clear(kg_outlines *outlines);
 static inline size_t kg_outline_size(const kg_outlines *o, int32_t loop) {
     return o->starts[loop + 1] - o->starts[loop];
 }
-static inline const kg_vec2 *kg_outline(const kg_outlines *o, int32_t loop) {
+static inline const kg_vec2 *kg_outline_points(const kg_outlines *o, int32_t loop) {
     return o->points + o->starts[loop];
 }
 /* Both in one group: they overlap by more than `tolerance` mm. */

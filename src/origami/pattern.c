@@ -233,11 +233,11 @@ static kg_status add_edges(kg_origami_state *s, const kg_pattern *p) {
     for (size_t i = 0; i < p->edges.count && !status; i++) {
         const kg_pattern_edge *e = &p->edges.items[i];
         bool crease = e->assignment == 'M' || e->assignment == 'V' || e->assignment == 'F';
-        kg_edge_kind kind = crease                 ? KG_EDGE_CREASE
-                            : e->assignment == 'U' ? KG_EDGE_OPEN
-                                                   : KG_EDGE_BORDER;
+        kg_paper_edge_kind kind = crease                 ? KG_PAPER_CREASE
+                                  : e->assignment == 'U' ? KG_PAPER_OPEN
+                                                         : KG_PAPER_BORDER;
         status = kg_state_add_edge(s, e->ends[0], e->ends[1], kind,
-                                   kind == KG_EDGE_BORDER ? 0 : e->angle);
+                                   kind == KG_PAPER_BORDER ? 0 : e->angle);
     }
     return status;
 }
@@ -247,7 +247,7 @@ static kg_status open_cuts(kg_origami_state *s) {
     size_t count = s->edges.count;
     for (size_t e = 0; e < count; e++) {
         int32_t h = (int32_t)(2 * e), k = h + 1;
-        if (s->edges.items[e].kind != KG_EDGE_BORDER || kg_loop_of(s, h) < 0 ||
+        if (s->edges.items[e].kind != KG_PAPER_BORDER || kg_loop_of(s, h) < 0 ||
             kg_loop_of(s, k) < 0)
             continue;
         /* k moves to a new edge, whose other direction is outside the paper */
@@ -255,7 +255,7 @@ static kg_status open_cuts(kg_origami_state *s) {
         kg_half_edge inside = s->halves.items[k], outside = {s->halves.items[h].origin, -1, -1};
         while (kg_next(s, before) != k)
             before = kg_next(s, before);
-        kg_paper_edge border = {KG_EDGE_BORDER, 0};
+        kg_paper_edge border = {KG_PAPER_BORDER, 0};
         if (!kg_push(&s->halves, inside) || !kg_push(&s->halves, outside) ||
             !kg_push(&s->edges, border))
             return KG_ERR_MEMORY;
@@ -321,7 +321,7 @@ kg_status kg_pattern_state(kg_pattern *p, kg_origami_state **out_state, kg_error
         if (a < 0 && b < 0)
             status = kg_fail(error, KG_ERR_INPUT, "edge %zu lies outside the paper", e);
         if ((a < 0) != (b < 0))
-            s->edges.items[e] = (kg_paper_edge){KG_EDGE_BORDER, 0};
+            s->edges.items[e] = (kg_paper_edge){KG_PAPER_BORDER, 0};
     }
     if (!status)
         status = open_cuts(s);

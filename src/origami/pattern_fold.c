@@ -57,9 +57,9 @@ static kg_status check_vertex(const kg_origami_state *s, int32_t start, kg_error
         if (e->angle != 0) {
             if (!is_flat_fold(e->angle))
                 return KG_OK;
-            mountains += e->kind == KG_EDGE_CREASE && e->angle < 0;
-            valleys += e->kind == KG_EDGE_CREASE && e->angle > 0;
-            open += e->kind == KG_EDGE_OPEN;
+            mountains += e->kind == KG_PAPER_CREASE && e->angle < 0;
+            valleys += e->kind == KG_PAPER_CREASE && e->angle > 0;
+            open += e->kind == KG_PAPER_OPEN;
             if (folds++ == 0)
                 first = total;
             else

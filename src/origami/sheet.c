@@ -28,7 +28,7 @@ static double segment_distance(kg_vec2 a, kg_vec2 b, kg_vec2 c, kg_vec2 d) {
     return least;
 }
 
-kg_status kg_sheet_check(const kg_sheet *sheet, kg_error *error) {
+kg_status kg_sheet_check(const kg_paper_sheet *sheet, kg_error *error) {
     size_t n = sheet->count;
     const kg_vec2 *p = sheet->polygon;
     if (n < 3 || n > MAX_CORNERS)
@@ -62,7 +62,7 @@ kg_status kg_sheet_check(const kg_sheet *sheet, kg_error *error) {
     return KG_OK;
 }
 
-static kg_status add_sheet(kg_origami_state *s, int32_t index, const kg_sheet *sheet,
+static kg_status add_sheet(kg_origami_state *s, int32_t index, const kg_paper_sheet *sheet,
                            kg_error *error) {
     int32_t first = (int32_t)s->vertices.count, n = (int32_t)sheet->count;
     bool reversed = kg_polygon_area(sheet->polygon, sheet->count) < 0;
@@ -76,7 +76,7 @@ static kg_status add_sheet(kg_origami_state *s, int32_t index, const kg_sheet *s
             status = KG_ERR_MEMORY;
     }
     for (int32_t i = 0; i < n && !status; i++)
-        status = kg_state_add_edge(s, first + i, first + (i + 1) % n, KG_EDGE_BORDER, 0);
+        status = kg_state_add_edge(s, first + i, first + (i + 1) % n, KG_PAPER_BORDER, 0);
     if (!status)
         status = kg_face_list_add(&faces, corners, sheet->count);
     if (!status)
@@ -86,8 +86,8 @@ static kg_status add_sheet(kg_origami_state *s, int32_t index, const kg_sheet *s
     return status;
 }
 
-kg_status kg_state_from_sheets(const kg_sheet *sheets, size_t count, kg_origami_state **out_state,
-                               kg_error *error) {
+kg_status kg_state_from_sheets(const kg_paper_sheet *sheets, size_t count,
+                               kg_origami_state **out_state, kg_error *error) {
     kg_origami_state *s = kg_state_create();
     kg_outlines o = {0};
     kg_status status =

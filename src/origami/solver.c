@@ -115,9 +115,9 @@ static kg_status add_triples_of(solver *v, size_t pair, kg_vec2 *scratch) {
         if (x != y || x < b)
             continue;
         if (n == 0)
-            n = kg_convex_common(kg_outline(o, a), na, kg_outline(o, b), nb, scratch,
+            n = kg_convex_common(kg_outline_points(o, a), na, kg_outline_points(o, b), nb, scratch,
                                  scratch + na + nb + 2);
-        if (n > 0 && kg_convex_overlap(scratch, n, kg_outline(o, x), kg_outline_size(o, x),
+        if (n > 0 && kg_convex_overlap(scratch, n, kg_outline_points(o, x), kg_outline_size(o, x),
                                        v->state->touch)) {
             kg_clause c = {{literal(v, a, b), literal(v, b, x), literal(v, x, a), -1}};
             if (!kg_push(&v->clauses, c))
@@ -203,7 +203,7 @@ static kg_status fix_creases(const solver *v, signed char *values) {
     const kg_origami_state *s = v->state;
     for (size_t e = 0; e < s->edges.count; e++) {
         int32_t a = kg_loop_of(s, (int32_t)(2 * e)), b = kg_loop_of(s, (int32_t)(2 * e + 1));
-        if (s->edges.items[e].kind != KG_EDGE_CREASE || s->edges.items[e].angle == 0 || a < 0 ||
+        if (s->edges.items[e].kind != KG_PAPER_CREASE || s->edges.items[e].angle == 0 || a < 0 ||
             b < 0)
             continue;
         int32_t l = literal(v, a, b);
@@ -232,9 +232,9 @@ static void take_values(solver *v, const signed char *values) {
     for (size_t e = 0; e < s->edges.count; e++) {
         kg_paper_edge *edge = &s->edges.items[e];
         int32_t a = kg_loop_of(s, (int32_t)(2 * e)), b = kg_loop_of(s, (int32_t)(2 * e + 1));
-        if (edge->kind != KG_EDGE_OPEN)
+        if (edge->kind != KG_PAPER_OPEN)
             continue;
-        edge->kind = KG_EDGE_CREASE;
+        edge->kind = KG_PAPER_CREASE;
         edge->angle = copysign(edge->angle, kg_origami_order(s, a, b) < 0 ? -1 : 1);
     }
 }

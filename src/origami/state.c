@@ -155,7 +155,7 @@ kg_status kg_state_split_loop(kg_origami_state *s, int32_t h, int32_t k) {
     halves[before_k].next = closing;
     halves[before_h].next = closing + 1;
     s->halves.count += 2;
-    s->edges.items[s->edges.count++] = (kg_paper_edge){KG_EDGE_CREASE, 0};
+    s->edges.items[s->edges.count++] = (kg_paper_edge){KG_PAPER_CREASE, 0};
     kg_paper_loop l = s->loops.items[loop];
     l.first = k;
     s->loops.items[s->loops.count++] = l;

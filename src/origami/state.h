@@ -42,10 +42,10 @@ kg_status kg_face_list_add(kg_face_list *list, const int32_t *corners, size_t co
 void kg_face_list_clear(kg_face_list *list);
 
 /* Adds an edge between two vertices with no loop on either side yet. */
-kg_status kg_state_add_edge(kg_origami_state *state, int32_t from, int32_t to, kg_edge_kind kind,
-                            double angle);
+kg_status kg_state_add_edge(kg_origami_state *state, int32_t from, int32_t to,
+                            kg_paper_edge_kind kind, double angle);
 /* Makes loops of faces whose edges are all there; concave ones are divided by edges of kind
- * KG_EDGE_JOIN. KG_ERR_INPUT naming the face for edges that are missing or have two faces on one
+ * KG_PAPER_JOIN. KG_ERR_INPUT naming the face for edges that are missing or have two faces on one
  * side, and for faces that cross themselves. */
 kg_status kg_state_add_faces(kg_origami_state *state, int32_t sheet, const kg_face_list *faces,
                              kg_error *error);

@@ -4,7 +4,7 @@
 
 void add_rectangle(kg_origami *o, double x, double y, double width, double height) {
     kg_vec2 p[] = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
-    kg_sheet sheet = {.count = 4, .polygon = p, .front = 0xcc3333, .back = 0xffffff};
+    kg_paper_sheet sheet = {.count = 4, .polygon = p, .front = 0xcc3333, .back = 0xffffff};
     assert_int_equal(kg_origami_add_sheet(o, &sheet, NULL), KG_OK);
 }
 
