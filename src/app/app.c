@@ -1,6 +1,7 @@
 #include "app/app.h"
 
 #include "app/commands/commands.h"
+#include "app/language.h"
 #include "app/panels/panels.h"
 #include "app/recovery.h"
 #include "app/tools/tool.h"
@@ -17,6 +18,7 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error
     kg_settings settings;
     kg_settings_default(&settings);
     kg_settings_read(&settings);
+    kg_language_use(settings.language);
     *app = (kg_app){.width = width, .height = height, .scale = scale, .redraw = true};
     kg_status status = kg_editor_init(&app->editor, &settings, error);
     kg_settings_clear(&settings);

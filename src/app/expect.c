@@ -183,6 +183,10 @@ static bool begins(const char **words, const char *what) {
 kg_status kg_script_expect(const kg_app *app, const char *w, kg_error *error) {
     const kg_editor *e = &app->editor;
     char title[512];
+    if (begins(&w, "net"))
+        return kg_script_expect_net(&app->net_view, w, error);
+    if (begins(&w, "hovered"))
+        return expect_count("hovered patch", (size_t)e->hover_patch, w, error);
     if (begins(&w, "patches"))
         return expect_count("patches", kg_editor_model(e)->patch_count, w, error);
     if (begins(&w, "point"))

@@ -199,12 +199,21 @@ void kg_net_view_fit(kg_net_view *v) {
     }
 }
 
+/* How far [lo, hi] has to be moved to lie between `from` and `to`; its beginning comes first. */
+static double shift_into(double lo, double hi, double from, double to) {
+    double by = hi > to ? to - hi : 0;
+    return lo + by < from ? from - lo : by;
+}
+
 void kg_net_view_show_part(kg_net_view *v, size_t part) {
     kg_box2 box = kg_net_view_part_box(v, part);
-    kg_vec2 middle = kg_v2(v->area.x + v->area.width / 2, v->area.y + v->area.height / 2);
-    v->pan = kg_add2(v->pan, kg_sub2(middle, kg_lerp2(box.lo, box.hi, 0.5)));
+    double margin = FIT_MARGIN * v->scale;
+    kg_vec2 by = kg_v2(
+        shift_into(box.lo.x, box.hi.x, v->area.x + margin, v->area.x + v->area.width - margin),
+        shift_into(box.lo.y, box.hi.y, v->area.y + margin, v->area.y + v->area.height - margin));
     v->active_part = (int)part;
-    v->fitted = false;
+    v->fitted = v->fitted && by.x == 0 && by.y == 0;
+    v->pan = kg_add2(v->pan, by);
 }
 
 /* ---- what lies under a pixel ------------------------------------------------------------ */

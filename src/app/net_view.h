@@ -52,7 +52,7 @@ bool kg_net_view_follow(kg_net_view *view, const kg_editor *editor, kg_area area
 /* True: the event is used up. */
 bool kg_net_view_event(kg_net_view *view, kg_editor *editor, const kg_event *event);
 void kg_net_view_fit(kg_net_view *view);
-/* Brings a part to the middle and makes it the active one. */
+/* Brings a part into sight and makes it the active one. */
 void kg_net_view_show_part(kg_net_view *view, size_t part);
 
 /* ---- places ----------------------------------------------------------------------------- */

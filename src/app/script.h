@@ -15,6 +15,10 @@ typedef kg_status (*kg_shot_fn)(void *user, const char *path, kg_error *error);
 kg_status kg_script_run(kg_app *app, const char *path, kg_shot_fn shot, void *user,
                         kg_error *error) KG_CHECKED;
 
+/* An assertion about the net view, the words after "expect net". */
+kg_status kg_script_expect_net(const kg_net_view *view, const char *words,
+                               kg_error *error) KG_CHECKED;
+
 /* One assertion, the words after "expect". */
 kg_status kg_script_expect(const kg_app *app, const char *words, kg_error *error) KG_CHECKED;
 

@@ -9,8 +9,12 @@
 #include <sys/stat.h>
 
 void kg_settings_default(kg_settings *s) {
-    *s = (kg_settings){.scale = 1, .autosave_minutes = 2, .net_view = true, .lift = 0, .step = 1,
-                        .export = {.format = "svg", .dash = 2, .gap = 0.5, .width = 1600}};
+    *s = (kg_settings){.scale = 1,
+                       .autosave_minutes = 2,
+                       .net_view = true,
+                       .lift = 0,
+                       .step = 1,
+                       .export = {.format = "svg", .dash = 2, .gap = 0.5, .width = 1600}};
 }
 
 void kg_settings_clear(kg_settings *s) {

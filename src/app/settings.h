@@ -19,9 +19,9 @@ typedef struct kg_settings {
     char language[16]; /* "" as the system, "en", "ja" */
     kg_navigation navigation;
     kg_ui_theme theme;
-    double scale;                  /* of the whole user interface, 1 is normal */
-    double autosave_minutes;       /* 0: never */
-    bool net_view;                 /* beside the model */
+    double scale;            /* of the whole user interface, 1 is normal */
+    double autosave_minutes; /* 0: never */
+    bool net_view;           /* beside the model */
     kg_export_choice export;
     double lift;                   /* mm, how far new patches lie off the reference */
     double step;                   /* mm, to which Ctrl rounds movements */

@@ -24,8 +24,8 @@ void kg_panels_show(kg_app *app) {
     kg_panel_properties(app, (kg_area){width - side, menu + list, side, middle - list});
     kg_panel_status(app, (kg_area){0, height - bottom, width, bottom});
     kg_panel_context_menu(app);
-    kg_panel_export(app);
     kg_panel_browser(app);
+    kg_panel_export(app); /* after the browser, which would take the same Enter */
     kg_panel_palette(app);
     kg_panel_help(app);
     kg_panel_settings(app);

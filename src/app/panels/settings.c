@@ -1,4 +1,5 @@
 /* Preferences. */
+#include "app/language.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
 
@@ -15,7 +16,7 @@ static void language(kg_settings *s) {
     kg_ui_width(200);
     if (kg_ui_choice(_("language"), names, 3, &index))
         snprintf(s->language, sizeof s->language, "%s", codes[index]);
-    kg_ui_tooltip(_("Takes effect at the next start."));
+    kg_ui_tooltip(_("Takes effect when this window is closed."));
 }
 
 void kg_panel_settings(kg_app *app) {
@@ -49,6 +50,7 @@ void kg_panel_settings(kg_app *app) {
         kg_error error;
         if (kg_settings_write(s, &error))
             kg_editor_say(&app->editor, KG_FAULT, "%s", error.message);
+        kg_language_use(s->language);
         kg_ui_popup_close();
     }
     kg_ui_popup_end();
