@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { RULING_COUNT = 17, CURVE_SAMPLES = 65, PICTURE_SAMPLES = 2 };
+enum { RULING_COUNT = 16, RULING_STEPS = 48, CURVE_SAMPLES = 65, PICTURE_SAMPLES = 2 };
 
 /* Edges of the reference bent by more than 35 degrees are edges of the object. */
 #define REFERENCE_CREASE 0.61
