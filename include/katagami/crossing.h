@@ -62,7 +62,7 @@ typedef struct kg_crossings {
  * the same whichever patch comes first. Surfaces that touch without passing through each other do
  * not cross there; a stretch that looks into a rectangle by less than the tolerance may be left
  * out. A ruling that both patches share is a branch, unless they are tangent along it.
- *   tolerance  mm, greatest chord error
+ *   tolerance  mm, greatest chord error; below 1e-6 of the patches' size, that is taken
  * KG_ERR_INPUT: the surfaces coincide on a piece. */
 KG_API kg_status kg_crossings_find(const kg_patch *a, const kg_patch *b, double tolerance,
                                    kg_crossings *out_crossings, kg_error *error) KG_CHECKED;

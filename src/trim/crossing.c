@@ -10,6 +10,11 @@
 /* Of the size, and of v and t: a tenth of the exactness that points are promised. */
 #define SLACK 1e-10
 
+/* Of the size: the finest tolerance. Where branches meet, or all but meet, cells end at 4e-6 and
+ * the curve goes straight through them; F is flat there, so that points themselves are known only
+ * to 1e-8, the root of rounding. */
+#define FINEST 1e-6
+
 /* ---- order ----------------------------------------------------------------------------- */
 
 static int compare_vectors(kg_vec3 a, kg_vec3 b) {
@@ -132,6 +137,7 @@ kg_status kg_crossings_find(const kg_patch *a, const kg_patch *b, double toleran
         return kg_fail(error, KG_ERR_INPUT,
                        "a tolerance of %g mm is not possible; give a length above 0", tolerance);
     bool swap = compare_patches(a, b) > 0;
+    tolerance = fmax(tolerance, FINEST * fmax(a->size, b->size));
     kg_crossings found = {0};
     kg_status status =
         swap ? find(b, a, tolerance, &found, error) : find(a, b, tolerance, &found, error);

@@ -25,12 +25,17 @@
  * chord error then stays in the room that AIM leaves. */
 #define THIN 0.2
 
+/* Halvings of one span, and of all spans of a pair: far beyond what any tolerance needs, so that
+ * no input runs away. Spans keep the points they have then. */
+enum { MAX_DEPTH = 40, MAX_HALVINGS = 1 << 17 };
+
 enum { COORDINATES = 4 };
 
 typedef struct tracer {
     const kg_pair *pair;
     const kg_arc *arc;
     int direction;
+    int halvings; /* so far */
     kg_path path;
 } tracer;
 
@@ -235,6 +240,20 @@ static bool emit(tracer *tr, const kg_sample *s, bool inside) {
     return kg_push(&tr->path.samples, *s) && kg_push(&tr->path.inside, inside);
 }
 
+/* What is within the slack of a side is on it: a point on one side may be on others too, as on the
+ * corners of mirrored patches. */
+static void snap(const kg_pair *pair, kg_sample *s) {
+    for (int k = 0; k < COORDINATES; k++)
+        for (int high = 0; high < 2; high++) {
+            double side = side_value(pair, k, high),
+                   slack = pair->slack * (k & 1 ? 1 : pair->a.size);
+            if (fabs(coordinate(&s->at, k) - side) <= slack) {
+                set_coordinate(&s->at, k, side);
+                s->out &= ~(side_lo[k] | side_lo[k] << 1);
+            }
+        }
+}
+
 /* Where coordinate k takes the value `side` between p and q, on whose two sides they lie; that
  * coordinate is then exact. */
 static kg_sample side_point(const tracer *tr, const kg_sample *p, const kg_sample *q, int k,
@@ -266,7 +285,24 @@ static kg_sample side_point(const tracer *tr, const kg_sample *p, const kg_sampl
     }
     set_coordinate(&s.at, k, side);
     s.out &= ~(side_lo[k] | side_lo[k] << 1);
+    snap(tr->pair, &s);
     return s;
+}
+
+/* Is the span so short that its points would be left out? Its shape then matters no more, nor can
+ * it be known next to a point where branches meet: F is flat there, and tangents are rounding. The
+ * middle tells a short span from a bow over a short chord. */
+static bool fine(const tracer *tr, const kg_sample *p, const kg_sample *q) {
+    double limit = THIN * tr->pair->tolerance;
+    if (!(kg_dist(p->at.x, q->at.x) < limit))
+        return false;
+    kg_sample m = middle(tr, p, q);
+    return kg_dist(p->at.x, m.at.x) < limit && kg_dist(m.at.x, q->at.x) < limit;
+}
+
+/* Is there nothing to be gained by halving the span? */
+static bool spent(const tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
+    return tiny(p, q) || depth > MAX_DEPTH || tr->halvings >= MAX_HALVINGS || fine(tr, p, q);
 }
 
 static bool inside_span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth);
@@ -274,17 +310,15 @@ static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth);
 
 static bool halves(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
     kg_sample m = middle(tr, p, q);
+    tr->halvings++;
     return span(tr, p, &m, depth + 1) && span(tr, &m, q, depth + 1);
 }
 
 /* Both ends inside: halved until chords are good and no excursion can hide. */
 static bool inside_span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
     double turn, error = chord_error(tr, p, q, &turn);
-    if (tiny(p, q) || depth > 40)
-        return emit(tr, q, true);
-    if (error > AIM * tr->pair->tolerance || turn > MAX_TURN || may_cross(tr, p, q))
-        return halves(tr, p, q, depth);
-    return emit(tr, q, true);
+    bool good = error <= AIM * tr->pair->tolerance && turn <= MAX_TURN && !may_cross(tr, p, q);
+    return good || spent(tr, p, q, depth) ? emit(tr, q, true) : halves(tr, p, q, depth);
 }
 
 /* The sides between p (beyond them) and q (not): the last one that the curve passes on the way to
@@ -308,7 +342,7 @@ static kg_sample entry(const tracer *tr, const kg_sample *p, const kg_sample *q)
 static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
     if (!p->out && !q->out)
         return inside_span(tr, p, q, depth);
-    if (tiny(p, q) || depth > 40 || stays_out(tr, p, q))
+    if (tiny(p, q) || stays_out(tr, p, q))
         return emit(tr, q, false);
     double turn;
     chord_error(tr, p, q, &turn);
@@ -316,14 +350,20 @@ static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) 
     bool steady = turn < MAX_TURN && flip > 0.5 * kg_dot(p->across, p->across) &&
                   flip > 0.5 * kg_dot(q->across, q->across);
     /* beyond one side both, yet not certainly out; or too bent to know how often it crosses */
-    if ((p->out & q->out) || !steady || !crosses_once(tr, p, q))
-        return halves(tr, p, q, depth);
+    bool last = false;
+    if ((p->out & q->out) || !steady || !crosses_once(tr, p, q)) {
+        last = spent(tr, p, q, depth);
+        if (!last)
+            return halves(tr, p, q, depth);
+        if (p->out & q->out)
+            return emit(tr, q, false);
+    }
     kg_sample in = p->out ? entry(tr, p, q) : *p, out = q->out ? entry(tr, q, p) : *q;
     double way = parameter(tr, q) - parameter(tr, p);
     if (p->out && q->out && (parameter(tr, &out) - parameter(tr, &in)) * way <= 0)
         return emit(tr, q, false);
     if (in.out || out.out) /* beyond yet another side */
-        return halves(tr, p, q, depth);
+        return last || spent(tr, p, q, depth) ? emit(tr, q, false) : halves(tr, p, q, depth);
     if (p->out && !emit(tr, &in, false))
         return false;
     if (parameter(tr, &in) != parameter(tr, &out) && !inside_span(tr, &in, &out, depth + 1))

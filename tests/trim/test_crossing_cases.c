@@ -354,6 +354,32 @@ static void mirrored_patches_meet_in_the_mirror(void **state) {
     assert_true(branches > 10);
 }
 
+static void tangents_are_rounding_where_mirrored_patches_cross_twice(void **state) {
+    (void)state;
+    /* the curve in the mirror meets another one; an arc passes within 1e-8 of the meeting point */
+    const kg_vec3 p[4] = {{0, 4.6411685459588607, 0.87196347750467074},
+                          {33.333333333333329, 8.0908738619237575, 7.499476577623458},
+                          {66.666666666666657, 11.779539533858346, 6.2072161837573399},
+                          {100, 10.563754052817437, 0.69189388049412437}};
+    kg_vec3 q[4];
+    for (int i = 0; i < 4; i++)
+        q[i] = kg_v3(p[i].x, -p[i].y, p[i].z);
+    kg_patch a = make_patch(p, 4, -30, 30, NULL), b = make_patch(q, 4, -30, 30, NULL);
+    const double tolerances[] = {1, 1e-2, 1e-3, 1e-5, 1e-9, 1e-300};
+    for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
+        kg_crossings found = {0};
+        size_t points = 0;
+        assert_int_equal(kg_crossings_find(&a, &b, tolerances[i], &found, NULL), KG_OK);
+        double exact = fmax(tolerances[i], 1e-6 * a.size);
+        check_points(&a, &b, &found, exact);
+        check_against_rays(&a, &b, &found, exact, "mirrored");
+        for (size_t k = 0; k < found.count; k++)
+            points += found.branches[k].count;
+        assert_in_range(points, 10, 1000);
+        kg_crossings_clear(&found);
+    }
+}
+
 static void pieces_of_one_patch_side_by_side_do_not_cross(void **state) {
     (void)state;
     kg_random r = {9};
@@ -415,6 +441,7 @@ int main(void) {
         cmocka_unit_test(planar_inflection_gives_no_false_branch),
         cmocka_unit_test(tangent_plane_at_an_inflection_crosses_along_the_ruling),
         cmocka_unit_test(mirrored_patches_meet_in_the_mirror),
+        cmocka_unit_test(tangents_are_rounding_where_mirrored_patches_cross_twice),
         cmocka_unit_test(pieces_of_one_patch_side_by_side_do_not_cross),
         cmocka_unit_test(folded_neighbours_share_their_ruling),
         cmocka_unit_test(impossible_tolerances_are_refused),

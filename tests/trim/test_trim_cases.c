@@ -111,7 +111,7 @@ static void three_patches_meet_in_one_curve(void **state) {
     (void)state;
     kg_random r = {113};
     size_t done = 0;
-    for (int round = 0; round < 200; round++) {
+    for (int round = 0; round < 300; round++) {
         kg_vec3 p[6], q[6];
         size_t n = round % 2 ? 6 : 4;
         for (size_t i = 0; i < n; i++) {
