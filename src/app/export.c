@@ -1,5 +1,7 @@
 #include "app/export.h"
 
+#include "document/net_settings.h"
+
 #include <string.h>
 #include <strings.h>
 
@@ -13,11 +15,13 @@ kg_status kg_export_copy(const kg_editor *e, kg_document **out_document, kg_erro
 kg_status kg_export_net(kg_document *document, const kg_net_options *options, double tab_width,
                         const char *path, const kg_progress *progress, kg_error *error) {
     kg_document_net net;
+    const kg_model *model = kg_document_model(document);
+    kg_parts_options parts = kg_net_settings_parts(model ? &model->net : NULL, options, tab_width);
     /* chords a tenth of the tolerance at the written size, tabs of the wished width there */
     double chord = fmin(KG_NET_CHORD, 0.1 * options->tolerance / options->scale);
     kg_status status = kg_document_solve(document, chord, error);
     if (!status)
-        status = kg_document_unroll(document, tab_width / options->scale, &net, error);
+        status = kg_document_unroll_to_fit(document, &parts, &net, error);
     if (status)
         return status;
     status = kg_net_write(net.net, options, progress, path, NULL, error);

@@ -1,6 +1,7 @@
 #include "app/net_state.h"
 
 #include "app/export.h"
+#include "document/net_settings.h"
 #include "document/pin.h"
 #include "net/clash.h"
 #include "net/sheet.h"
@@ -102,6 +103,13 @@ static kg_status lay_out(job *j, kg_net_picture *p, kg_error *error) {
     return kg_net_layout_create(p->net.net, &rows, NULL, &p->layout, error);
 }
 
+static kg_status unroll(kg_document *document, const kg_net_options *options, double tab_width,
+                        kg_document_net *out_net, kg_error *error) {
+    const kg_model *model = kg_document_model(document);
+    kg_parts_options parts = kg_net_settings_parts(model ? &model->net : NULL, options, tab_width);
+    return kg_document_unroll_to_fit(document, &parts, out_net, error);
+}
+
 static kg_status make(job *j, kg_net_picture *p, kg_error *error) {
     double tab_width;
     kg_status status = kg_document_net_options(j->document, &p->options, &tab_width, error);
@@ -111,7 +119,7 @@ static kg_status make(job *j, kg_net_picture *p, kg_error *error) {
                             : fmin(KG_NET_CHORD, 0.1 * p->options.tolerance / p->options.scale);
     p->rough = j->rough;
     if (!(status = kg_document_solve(j->document, chord, error)))
-        status = kg_document_unroll(j->document, tab_width / p->options.scale, &p->net, error);
+        status = unroll(j->document, &p->options, tab_width, &p->net, error);
     if (status || p->net.net->part_count == 0)
         return status;
     if (!(status = lay_out(j, p, error)))

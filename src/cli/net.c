@@ -2,6 +2,7 @@
 #include "base/file.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "document/net_settings.h"
 #include "katagami/guide.h"
 #include "net/clash.h"
 
@@ -95,17 +96,14 @@ static int read_options(const kg_arguments *a, const kg_document *document, kg_n
     return -1;
 }
 
-/* What parts have to be at scale 1 so that they are as wished on the page. */
-static kg_parts_options parts_options(const kg_arguments *a, const kg_net_options *settings,
-                                      double tab_width) {
-    double rims = 2 * settings->margin;
-    bool endless = settings->paper.x <= 0 || kg_arguments_get(a, "no-split");
-    kg_vec2 room = endless ? kg_v2(0, 0)
-                           : kg_v2((settings->paper.x - rims) / settings->scale,
-                                   (settings->paper.y - rims) / settings->scale);
-    return (kg_parts_options){.tab_width = tab_width / settings->scale,
-                              .room = room,
-                              .merge = kg_arguments_get(a, "merge") != NULL};
+static kg_parts_options parts_options(const kg_arguments *a, kg_document *document,
+                                      const kg_net_options *settings, double tab_width) {
+    const kg_model *model = kg_document_model(document);
+    kg_parts_options parts = kg_net_settings_parts(model ? &model->net : NULL, settings, tab_width);
+    if (kg_arguments_get(a, "no-split"))
+        parts.room = kg_v2(0, 0);
+    parts.merge = parts.merge || kg_arguments_get(a, "merge");
+    return parts;
 }
 
 /* The files to be written; those beside the net may be NULL. */
@@ -205,7 +203,7 @@ int kg_command_net(int argc, char **argv) {
     if (kg_document_read(a.words[0], &document, &error))
         return kg_command_fail("net", &error);
     code = read_options(&a, document, &settings, &tab_width);
-    kg_parts_options parts = parts_options(&a, &settings, tab_width);
+    kg_parts_options parts = parts_options(&a, document, &settings, tab_width);
     if (code < 0 && write_net(document, &settings, &parts, &out, &error))
         code = kg_command_fail("net", &error);
     kg_document_destroy(document);

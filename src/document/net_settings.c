@@ -69,6 +69,9 @@ kg_status kg_net_settings_read(const kg_model_net *net, kg_net_options *out_opti
         status = read_bool(json, "nest", &o.nest, error);
     if (!status)
         status = read_bool(json, "grain", &o.grain, error);
+    bool merge;
+    if (!status)
+        status = read_bool(json, "merge", &merge, error);
     if (!status)
         status = read_gap(json, &o.gap, error);
     if (status)
@@ -78,6 +81,17 @@ kg_status kg_net_settings_read(const kg_model_net *net, kg_net_options *out_opti
     o.scale = net->scale;
     *out_options = o;
     return KG_OK;
+}
+
+kg_parts_options kg_net_settings_parts(const kg_model_net *net, const kg_net_options *options,
+                                       double tab_width) {
+    double rims = 2 * options->margin;
+    kg_parts_options parts = {.tab_width = tab_width / options->scale};
+    if (options->paper.x > 0)
+        parts.room = kg_v2((options->paper.x - rims) / options->scale,
+                           (options->paper.y - rims) / options->scale);
+    parts.merge = net && json_is_true(json_object_get(net->json, "merge"));
+    return parts;
 }
 
 kg_status kg_net_settings_set(kg_model_net *net, const char *key, json_t *value, kg_error *error) {

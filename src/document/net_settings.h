@@ -2,18 +2,22 @@
  * How the net is drawn, as the model's "net" object says beside paper, margin, scale and tab_width:
  *
  *     "landscape": bool, "labels": "none|inside|outside", "preset": "print|laser|…",
- *     "nest": bool (true), "grain": bool, "gap": mm
+ *     "nest": bool (true), "grain": bool, "gap": mm, "merge": bool
  */
 #ifndef KG_DOCUMENT_NET_SETTINGS_H
 #define KG_DOCUMENT_NET_SETTINGS_H
 
-#include "katagami/model.h"
-#include "katagami/net.h"
+#include "katagami/document.h"
 
 /* Net options as the model asks for them. KG_ERR_INPUT: an unknown word or a wrong kind of value.
  */
 kg_status kg_net_settings_read(const kg_model_net *net, kg_net_options *out_options,
                                kg_error *error) KG_CHECKED;
+
+/* What the parts have to be at scale 1 so that they are as wished on the page. `net` may be NULL.
+ */
+kg_parts_options kg_net_settings_parts(const kg_model_net *net, const kg_net_options *options,
+                                       double tab_width);
 
 /* Sets a key of the "net" object, or removes it (`value` NULL); takes over `value`, also on
  * failure. KG_ERR_MEMORY. */

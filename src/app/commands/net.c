@@ -71,7 +71,7 @@ static bool has_pins(const kg_editor *e) {
 /* ---- settings --------------------------------------------------------------------------- */
 
 /* Keys that the model holds as it finds them. */
-static const char *const plain_keys[] = {"landscape", "labels", "preset", "nest", "grain", "gap"};
+static const char *const plain_keys[] = {"landscape", "labels", "preset", "nest", "grain", "gap", "merge"};
 
 static kg_status set_plain(kg_model_net *net, const json_t *a, kg_error *error) {
     kg_net_options ignored;

@@ -84,5 +84,8 @@ void kg_panel_net_settings(kg_app *app) {
           _("Places the parts by their true outlines; else in rows."));
     check(e, _("keep the paper's grain"), "grain", o.grain,
           _("Turns parts by half turns only, so that all bend alike."));
+    check(e, _("merge parts where possible"), "merge",
+          json_is_true(json_object_get(kg_editor_model(e)->net.json, "merge")),
+          _("Neighbours that can be folded from one sheet become one part."));
     kg_ui_popup_end();
 }
