@@ -15,7 +15,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import script  # noqa: E402
 
-PROGRAM, SAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
+PROGRAM, SAMPLES = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
 
 
 def written(program, model):

@@ -131,14 +131,13 @@ static void random_models_keep_area_and_joined_length(void **state) {
     for (int round = 0; round < 40; round++) {
         kg_model *model = random_model(&r, 5);
         nets n = unroll_both(model, kg_v2(90, 70));
-        double joined[2] = {0, 0}, cuts = 0;
+        double joined[2] = {0, 0};
         more += n.cut->net->part_count - n.whole->net->part_count;
         for (int k = 0; k < 2; k++) {
             const kg_net *net = k ? n.cut->net : n.whole->net;
             for (size_t i = 0; i < net->join_count; i++) {
                 bool own = net->joins[i].sources[0] == net->joins[i].sources[1];
                 joined[k] += own ? 0 : net->joins[i].sides[0].length;
-                cuts += own ? net->joins[i].sides[0].length : 0;
             }
         }
         assert_near(total_area(n.cut->net), total_area(n.whole->net), 1e-5);
