@@ -46,16 +46,16 @@ kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_doc
 kg_status kg_document_from_origami(kg_origami *origami, const char *path,
                                    kg_document **out_document, kg_error *error) {
     kg_document *d = calloc(1, sizeof *d);
-    kg_paper *paper = kg_paper_create(origami);
+    kg_folded *folded = kg_folded_create(origami);
     if (d && path)
         d->path = strdup(path);
-    if (!d || !paper || (path && !d->path)) {
+    if (!d || !folded || (path && !d->path)) {
         free(d);
-        kg_paper_destroy(paper);
+        kg_folded_destroy(folded);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
     d->kind = KG_DOCUMENT_ORIGAMI;
-    d->paper = paper;
+    d->folded = folded;
     *out_document = d;
     return KG_OK;
 }
@@ -72,8 +72,8 @@ static kg_status read_pattern(const char *path, kg_document **out_document, kg_e
     if (!status)
         status = kg_document_from_origami(origami, path, out_document, error);
     if (!status) {
-        (*out_document)->paper->imported = true;
-        (*out_document)->paper->report = report;
+        (*out_document)->folded->imported = true;
+        (*out_document)->folded->report = report;
     }
     return status;
 }
@@ -126,7 +126,7 @@ void kg_document_destroy(kg_document *d) {
     kg_model_destroy(d->model);
     kg_solution_destroy(d->solution);
     kg_card_destroy(d->card);
-    kg_paper_destroy(d->paper);
+    kg_folded_destroy(d->folded);
     free(d->path);
     free(d);
 }
@@ -136,9 +136,9 @@ kg_document_kind kg_document_get_kind(const kg_document *d) {
 }
 
 const char *kg_document_title(const kg_document *d) {
-    return d->card    ? d->card->oa->title
-           : d->paper ? kg_origami_title(d->paper->origami)
-                      : d->model->title;
+    return d->card     ? d->card->oa->title
+           : d->folded ? kg_origami_title(d->folded->origami)
+                       : d->model->title;
 }
 
 kg_model *kg_document_model(kg_document *d) {
@@ -163,28 +163,28 @@ void kg_document_set_open(kg_document *d, double angle) {
 }
 
 kg_origami *kg_document_origami(kg_document *d) {
-    return d->paper ? d->paper->origami : NULL;
+    return d->folded ? d->folded->origami : NULL;
 }
 
 const kg_layer_report *kg_document_layers(const kg_document *d) {
-    return d->paper && d->paper->imported ? &d->paper->report : NULL;
+    return d->folded && d->folded->imported ? &d->folded->report : NULL;
 }
 
 kg_status kg_document_set_step(kg_document *d, size_t step, kg_error *error) {
-    if (!d->paper)
+    if (!d->folded)
         return KG_OK;
-    size_t count = kg_origami_step(d->paper->origami);
+    size_t count = kg_origami_step(d->folded->origami);
     if (step > count)
         return kg_fail(error, KG_ERR_INPUT, "there is no step %zu: the sheets are folded %zu times",
                        step, count);
-    d->paper->step = step;
+    d->folded->step = step;
     return KG_OK;
 }
 
 kg_status kg_document_solve(kg_document *d, double chord, kg_error *error) {
     if (d->card)
         return kg_card_solve(d->card, error);
-    if (d->paper) /* its folds were replayed as it was read */
+    if (d->folded) /* its folds were replayed as it was read */
         return KG_OK;
     kg_solution *previous = d->solution;
     d->solution = NULL;
@@ -196,7 +196,7 @@ const kg_solution *kg_document_solution(const kg_document *d) {
 }
 
 size_t kg_document_issue_count(const kg_document *d) {
-    return d->card ? d->card->issues.count : d->paper ? 0 : kg_solution_issue_count(d->solution);
+    return d->card ? d->card->issues.count : d->folded ? 0 : kg_solution_issue_count(d->solution);
 }
 
 const kg_issue *kg_document_issue(const kg_document *d, size_t index) {

@@ -3,7 +3,7 @@
 #define KG_DOCUMENT_DOCUMENT_H
 
 #include "document/card.h"
-#include "document/paper.h"
+#include "document/folded.h"
 #include "katagami/document.h"
 
 struct kg_document {
@@ -12,7 +12,7 @@ struct kg_document {
     kg_model *model;
     kg_solution *solution; /* NULL until solved */
     kg_card *card;         /* of a pop-up document, which has no model */
-    kg_paper *paper;       /* of an origami document, which has neither */
+    kg_folded *folded;     /* of an origami document, which has neither */
 };
 
 /* The reference's path, relative ones starting at the model's folder; NULL for none, or when memory

@@ -14,8 +14,8 @@ static bool ends_in(const char *path, const char *ending) {
 
 static kg_status export_fold(const kg_document *d, const char *path, kg_error *error) {
     char *text;
-    if (d->paper)
-        return kg_origami_export(d->paper->origami, d->paper->step, true, path, error);
+    if (d->folded)
+        return kg_origami_export(d->folded->origami, d->folded->step, true, path, error);
     if (d->kind != KG_DOCUMENT_OA)
         return kg_fail(error, KG_ERR_INPUT,
                        "%s: curved patches have no crease pattern; FOLD is for pop-up cards and "
@@ -48,7 +48,7 @@ kg_status kg_document_export(const kg_document *d, const char *path, kg_group_co
                              kg_error *error) {
     kg_mesh_format format;
     kg_mesh *mesh;
-    if (ends_in(path, ".fold") || (d->paper && ends_in(path, ".cp")))
+    if (ends_in(path, ".fold") || (d->folded && ends_in(path, ".cp")))
         return export_fold(d, path, error);
     kg_status status = kg_mesh_format_of(path, &format, error);
     if (status)

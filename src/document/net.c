@@ -29,7 +29,7 @@ static kg_status card_options(const kg_oa *oa, kg_net_options *out_options, doub
 
 kg_status kg_document_net_options(const kg_document *d, kg_net_options *out_options,
                                   double *out_tab_width, kg_error *error) {
-    if (d->paper) { /* crease patterns speak for themselves, too */
+    if (d->folded) { /* crease patterns speak for themselves, too */
         kg_net_options options = kg_net_options_default();
         options.labels = KG_LABELS_NONE;
         *out_options = options;
@@ -131,8 +131,8 @@ kg_status kg_document_unroll_to_fit(const kg_document *d, const kg_parts_options
                                     kg_document_net *out_net, kg_error *error) {
     if (d->card)
         return kg_card_net(d->card, out_net, error);
-    if (d->paper)
-        return kg_paper_net(d->paper, out_net, error);
+    if (d->folded)
+        return kg_folded_net(d->folded, out_net, error);
     /* tabs stand out on every side */
     kg_vec2 tabs = kg_v2(2 * options->tab_width, 2 * options->tab_width), room = options->room;
     if (room.x > 0)

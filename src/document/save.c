@@ -57,7 +57,7 @@ static char *moved_reference(const kg_document *d, const char *path) {
 static kg_status save_alone(kg_document *d, const char *path, kg_error *error) {
     char *copy = strdup(path);
     kg_status status = !copy      ? kg_fail(error, KG_ERR_MEMORY, "out of memory")
-                       : d->paper ? kg_origami_write(d->paper->origami, path, error)
+                       : d->folded ? kg_origami_write(d->folded->origami, path, error)
                                   : kg_oa_write(d->card->oa, path, error);
     if (status) {
         free(copy);
@@ -69,7 +69,7 @@ static kg_status save_alone(kg_document *d, const char *path, kg_error *error) {
 }
 
 kg_status kg_document_save(kg_document *d, const char *path, kg_error *error) {
-    if (d->card || d->paper)
+    if (d->card || d->folded)
         return save_alone(d, path, error);
     char *copy = strdup(path), **file = &d->model->reference.file, *old = *file;
     if (!copy)

@@ -76,8 +76,8 @@ static kg_status mesh_of_card(const kg_card *card, kg_group_color color, kg_mesh
 
 kg_status kg_document_mesh(const kg_document *d, kg_group_color color, kg_mesh **out_mesh,
                            kg_error *error) {
-    if (d->paper)
-        return kg_paper_mesh(d->paper, out_mesh, error);
+    if (d->folded)
+        return kg_folded_mesh(d->folded, out_mesh, error);
     if (d->card)
         return mesh_of_card(d->card, color, out_mesh, error);
     kg_status status = kg_document_check(d, error);

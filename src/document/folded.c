@@ -1,34 +1,34 @@
-#include "document/paper.h"
+#include "document/folded.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the drawn paper, over the size of the sheets: as thin as can be seen apart. */
+/* Of the drawn folded, over the size of the sheets: as thin as can be seen apart. */
 #define THICKNESS 0.002
 
-kg_paper *kg_paper_create(kg_origami *origami) {
-    kg_paper *paper = calloc(1, sizeof *paper);
-    if (!paper) {
+kg_folded *kg_folded_create(kg_origami *origami) {
+    kg_folded *folded = calloc(1, sizeof *folded);
+    if (!folded) {
         kg_origami_destroy(origami);
         return NULL;
     }
-    paper->origami = origami;
-    paper->step = kg_origami_step(origami);
-    return paper;
+    folded->origami = origami;
+    folded->step = kg_origami_step(origami);
+    return folded;
 }
 
-void kg_paper_destroy(kg_paper *paper) {
-    if (!paper)
+void kg_folded_destroy(kg_folded *folded) {
+    if (!folded)
         return;
-    kg_origami_destroy(paper->origami);
-    free(paper);
+    kg_origami_destroy(folded->origami);
+    free(folded);
 }
 
-kg_status kg_paper_net(const kg_paper *paper, kg_document_net *out_net, kg_error *error) {
+kg_status kg_folded_net(const kg_folded *folded, kg_document_net *out_net, kg_error *error) {
     kg_document_net net = {0};
     kg_status status =
-        kg_origami_net(paper->origami, kg_origami_step(paper->origami), &net.net, error);
+        kg_origami_net(folded->origami, kg_origami_step(folded->origami), &net.net, error);
     if (!status)
         *out_net = net;
     return status;
@@ -71,8 +71,8 @@ static void add_loop(const kg_origami_state *s, size_t loop, const double *heigh
     mesh->face_starts[++mesh->face_count] = (uint32_t)mesh->vertex_count;
 }
 
-static kg_status fill_mesh(const kg_paper *paper, const kg_origami_state *s, const double *heights,
-                           kg_mesh *mesh) {
+static kg_status fill_mesh(const kg_folded *folded, const kg_origami_state *s,
+                           const double *heights, kg_mesh *mesh) {
     int32_t sheets = 0;
     for (size_t i = 0; i < s->loops.count; i++)
         sheets = s->loops.items[i].sheet >= sheets ? s->loops.items[i].sheet + 1 : sheets;
@@ -84,14 +84,14 @@ static kg_status fill_mesh(const kg_paper *paper, const kg_origami_state *s, con
             if (s->loops.items[i].sheet == sheet)
                 add_loop(s, i, heights, mesh);
         uint32_t front, back;
-        kg_origami_colours(paper->origami, sheet, &front, &back);
+        kg_origami_colours(folded->origami, sheet, &front, &back);
         status = add_group(mesh, sheet, first, front);
     }
     return status;
 }
 
-kg_status kg_paper_mesh(const kg_paper *paper, kg_mesh **out_mesh, kg_error *error) {
-    const kg_origami_state *s = kg_origami_state_at(paper->origami, paper->step);
+kg_status kg_folded_mesh(const kg_folded *folded, kg_mesh **out_mesh, kg_error *error) {
+    const kg_origami_state *s = kg_origami_state_at(folded->origami, folded->step);
     double *heights = calloc(s->halves.count + 1, sizeof *heights);
     kg_mesh *mesh = kg_mesh_create();
     kg_status status = heights && mesh ? kg_origami_heights(s, heights, error) : KG_ERR_MEMORY;
@@ -100,7 +100,7 @@ kg_status kg_paper_mesh(const kg_paper *paper, kg_mesh **out_mesh, kg_error *err
         mesh->face_corners = calloc(s->halves.count + 1, sizeof *mesh->face_corners);
         mesh->face_starts = calloc(s->loops.count + 1, sizeof *mesh->face_starts);
         status = mesh->positions && mesh->face_corners && mesh->face_starts
-                     ? fill_mesh(paper, s, heights, mesh)
+                     ? fill_mesh(folded, s, heights, mesh)
                      : KG_ERR_MEMORY;
     }
     free(heights);
