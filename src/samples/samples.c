@@ -1,5 +1,7 @@
 #include "samples/samples.h"
 
+#include "samples/card_models.h"
+#include "samples/castle_mesh.h"
 #include "samples/dolphin_mesh.h"
 #include "samples/dolphin_model.h"
 #include "samples/simple_models.h"
@@ -12,6 +14,10 @@ static kg_status finish(bool complete, kg_error *error) {
 
 static kg_status write_reference(text *out, kg_error *error) {
     return finish(dolphin_mesh_write(out), error);
+}
+
+static kg_status write_castle(text *out, kg_error *error) {
+    return finish(castle_mesh_write(out), error);
 }
 
 static kg_status write_dolphin(text *out, kg_error *error) {
@@ -48,7 +54,14 @@ static kg_status write_ribbon(text *out, kg_error *error) {
 }
 
 const sample_file sample_files[SAMPLE_FILE_COUNT] = {
-    {"dolphin.obj", write_reference},  {"dolphin.katagami", write_dolphin},
-    {"fin.katagami", write_fin},       {"lantern.katagami", write_lantern},
+    {"dolphin.obj", write_reference},
+    {"dolphin.katagami", write_dolphin},
+    {"fin.katagami", write_fin},
+    {"lantern.katagami", write_lantern},
     {"ribbon.katagami", write_ribbon},
+    {"castle.obj", write_castle},
+    {"castle.katagami", castle_card_write},
+    {"house.katagami", house_card_write},
+    {"pyramids.katagami", pyramids_card_write},
+    {"tower.katagami", tower_card_write},
 };

@@ -10,7 +10,7 @@ typedef struct sample_file {
     kg_status (*write)(text *out, kg_error *error);
 } sample_file;
 
-enum { SAMPLE_FILE_COUNT = 5 };
+enum { SAMPLE_FILE_COUNT = 10 };
 extern const sample_file sample_files[SAMPLE_FILE_COUNT];
 
 #endif
