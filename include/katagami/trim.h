@@ -100,14 +100,14 @@ typedef struct kg_trim {
 
 /* Single-surface trim: all branches split the regions; each point of `keep` keeps the piece
  * nearest to it; no points keep every piece. A branch that ends inside is prolonged along its
- * tangent. KG_ERR_INPUT: the cutter misses. */
+ * tangent. KG_ERR_INPUT: the cutter, or what is left of a bounded one, misses. */
 KG_API kg_status kg_trim_by(const kg_trim *trim, const kg_regions *regions, const kg_cut *cut,
                             const kg_vec3 *keep, size_t keep_count, kg_regions *out_regions,
                             kg_error *error) KG_CHECKED;
 
 /* Multi-surface trim: keeps the face away from the outline that borders every cutter; where there
  * are several, those named by `keep`. Tails beyond a crossing are dropped, ends that miss each
- * other joined. KG_ERR_INPUT: a cutter misses; no such face; several and no `keep`. */
+ * other joined. KG_ERR_INPUT: a cutter misses (as above); no such face; several and no `keep`. */
 KG_API kg_status kg_trim_inside(const kg_trim *trim, const kg_regions *regions, const kg_cut *cuts,
                                 size_t cut_count, const kg_vec3 *keep, size_t keep_count,
                                 kg_regions *out_regions, kg_error *error) KG_CHECKED;

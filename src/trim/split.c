@@ -29,20 +29,9 @@ kg_status kg_region_split(const kg_trim *trim, const kg_region *region, double v
         status = ruling_chain(trim->patch, v, source, &chains);
     if (!status)
         status = kg_arrangement_build(trim->patch, &chains, &a);
-    for (size_t f = 1; f < a.face_count && !status; f++) {
-        kg_region piece;
-        if (!(a.labels[f] & KG_LABEL_REGION))
-            continue;
-        status = kg_region_from_face(&a, f, &piece);
-        if (!status)
-            status = kg_regions_add(&pieces, piece);
-    }
+    if (!status)
+        status = kg_regions_from_faces(&a, NULL, NULL, &pieces);
     kg_arrangement_clear(&a);
     kg_chains_clear(&chains);
-    if (status) {
-        kg_regions_clear(&pieces);
-        return kg_fail(error, status, "out of memory");
-    }
-    *out_regions = pieces;
-    return KG_OK;
+    return kg_trim_finish(status, &pieces, out_regions, error);
 }

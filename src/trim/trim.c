@@ -71,7 +71,7 @@ static kg_status keep_nearest(const kg_patch *patch, kg_regions *pieces, const k
 }
 
 kg_status kg_trim_finish(kg_status status, kg_regions *pieces, kg_regions *out_regions,
-                        kg_error *error) {
+                         kg_error *error) {
     if (status) {
         kg_regions_clear(pieces);
         return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
@@ -82,11 +82,27 @@ kg_status kg_trim_finish(kg_status status, kg_regions *pieces, kg_regions *out_r
 
 /* ---- single surface --------------------------------------------------------------------- */
 
-static kg_status missed(const kg_cut *cut, kg_error *error) {
-    return kg_fail(error, KG_ERR_INPUT,
-                   "patch %lld does not meet it, so it cannot cut it; move one of them, widen its "
-                   "extent or remove the trim",
-                   (long long)cut->source);
+/* A cutter that misses the patch, or of which nothing is left where it met it, is a mistake. */
+static kg_status check_meets(const kg_patch *patch, const kg_cut *cut, kg_error *error) {
+    if (cut->crossings->count == 0)
+        return kg_fail(error, KG_ERR_INPUT,
+                       "patch %lld does not meet it, so it cannot cut it; move one of them, widen "
+                       "its extent or remove the trim",
+                       (long long)cut->source);
+    if (!cut->bounded)
+        return KG_OK;
+    kg_chains chains = {0};
+    kg_status status = kg_cut_chains(patch, cut, &chains);
+    bool meets = chains.count > 0;
+    kg_chains_clear(&chains);
+    if (status)
+        return kg_fail(error, status, "out of memory");
+    if (!meets)
+        return kg_fail(error, KG_ERR_INPUT,
+                       "patch %lld does not meet it with what is left of it, so it cannot cut it; "
+                       "let it cut with its whole rectangle, change its trims or remove this one",
+                       (long long)cut->source);
+    return KG_OK;
 }
 
 static kg_status split_region(const kg_trim *t, const kg_region *region, const kg_cut *cut,
@@ -111,10 +127,10 @@ static kg_status split_region(const kg_trim *t, const kg_region *region, const k
 kg_status kg_trim_by(const kg_trim *trim, const kg_regions *regions, const kg_cut *cut,
                      const kg_vec3 *keep, size_t keep_count, kg_regions *out_regions,
                      kg_error *error) {
-    if (cut->crossings->count == 0)
-        return missed(cut, error);
     kg_regions pieces = {0};
-    kg_status status = KG_OK;
+    kg_status status = check_meets(trim->patch, cut, error);
+    if (status)
+        return status;
     for (size_t i = 0; i < regions->count && !status; i++)
         status = split_region(trim, &regions->items[i], cut, &pieces);
     if (!status && pieces.count == regions->count) {
@@ -188,11 +204,12 @@ static kg_status enclosed_faces(const kg_trim *t, const kg_region *region, wante
 kg_status kg_trim_inside(const kg_trim *trim, const kg_regions *regions, const kg_cut *cuts,
                          size_t cut_count, const kg_vec3 *keep, size_t keep_count,
                          kg_regions *out_regions, kg_error *error) {
-    for (size_t k = 0; k < cut_count; k++)
-        if (cuts[k].crossings->count == 0)
-            return missed(&cuts[k], error);
     kg_regions faces = {0};
     kg_status status = KG_OK;
+    for (size_t k = 0; k < cut_count && !status; k++)
+        status = check_meets(trim->patch, &cuts[k], error);
+    if (status)
+        return status;
     for (size_t i = 0; i < regions->count && !status; i++)
         status =
             enclosed_faces(trim, &regions->items[i], (wanted_cutters){cuts, cut_count}, &faces);

@@ -274,6 +274,47 @@ static void only_the_trimmed_region_of_a_bounded_cutter_cuts(void **state) {
     scene_clear(&s);
 }
 
+static void a_bounded_cutter_of_which_nothing_is_left_there_is_an_error(void **state) {
+    (void)state;
+    scene s = floor_scene();
+    s.patches[s.count++] = wall(30, -60, 30, 60, -5, 5);
+    s.patches[s.count++] = s.patches[0]; /* the ceiling of what stays of the wall */
+    for (int i = 0; i < 4; i++)
+        s.patches[2].geodesic.points[i].z = 2;
+    s.patches[2] = make_patch(s.patches[2].geodesic.points, 4, -70, 70, &s.patches[0].rulings[0]);
+    const kg_vec3 above = {30, 0, 4};
+    kg_regions top = trim_whole(&s, 1, 2, &above, 1, NULL), all = whole(&s, 0), out = {5, NULL};
+    kg_cut cut;
+    kg_trim_notes notes = {0};
+    kg_trim trim = scene_trim(&s, 0, &notes);
+    kg_error error = {0};
+    assert_true(scene_cut(&s, 0, 1, &cut));
+    cut.bounded = &top;
+    assert_int_equal(kg_trim_by(&trim, &all, &cut, NULL, 0, &out, &error), KG_ERR_INPUT);
+    assert_non_null(strstr(error.message, "patch 2 does not meet it with what is left of it"));
+    assert_int_equal(kg_trim_inside(&trim, &all, &cut, 1, NULL, 0, &out, &error), KG_ERR_INPUT);
+    assert_non_null(strstr(error.message, "patch 2 does not meet it with what is left of it"));
+    assert_int_equal(out.count, 5);
+    assert_int_equal(notes.count, 0);
+
+    /* where what is left of it meets the patch, but not what is left of the patch: a note */
+    const kg_vec3 below = {30, 0, -4}, right = {60, 0, 0};
+    kg_regions bottom = trim_whole(&s, 1, 2, &below, 1, NULL),
+               half = trim_whole(&s, 0, 1, &right, 1, NULL);
+    cut.bounded = &bottom;
+    assert_int_equal(kg_trim_by(&trim, &half, &cut, NULL, 0, &out, &error), KG_OK);
+    assert_int_equal(out.count, 1);
+    assert_int_equal(notes.count, 1);
+    assert_int_equal(notes.items[0].kind, KG_NOTE_OUTSIDE);
+    free(notes.items);
+    kg_regions_clear(&top);
+    kg_regions_clear(&bottom);
+    kg_regions_clear(&half);
+    kg_regions_clear(&all);
+    kg_regions_clear(&out);
+    scene_clear(&s);
+}
+
 /* ---- keep points ------------------------------------------------------------------------ */
 
 /* Distance to a region by a fine grid of its patch: never too small, at most `grain` too large. */
@@ -351,6 +392,7 @@ int main(void) {
         cmocka_unit_test(a_cut_that_ends_inside_is_prolonged_with_a_note),
         cmocka_unit_test(a_cutter_that_misses_is_an_error_and_one_that_comes_too_late_a_note),
         cmocka_unit_test(only_the_trimmed_region_of_a_bounded_cutter_cuts),
+        cmocka_unit_test(a_bounded_cutter_of_which_nothing_is_left_there_is_an_error),
         cmocka_unit_test(each_keep_point_keeps_the_piece_nearest_to_it),
         cmocka_unit_test(several_keep_points_keep_several_pieces_and_ties_one),
     };
