@@ -41,7 +41,8 @@ typedef struct kg_net_view {
     unsigned *clashes; /* with the moved part where it is; NULL: those of the picture */
     bool open_menu;    /* of menu_part and menu_join, -1: none */
     int menu_part, menu_join;
-    size_t listed; /* warnings below the pages */
+    double menu_width; /* of tabs, while it is being chosen */
+    size_t listed;     /* warnings below the pages */
 } kg_net_view;
 
 kg_status kg_net_view_init(kg_net_view *view, kg_error *error) KG_CHECKED;

@@ -295,14 +295,28 @@ static void draw_page(const kg_net_view *v, int page, kg_polyline *line) {
     }
 }
 
-/* Tells scripts where the part is. */
-static void name_part(const kg_net_view *v, size_t index) {
-    const kg_net_part *part = &kg_net_state_picture(v->state)->net.net->parts[index];
-    kg_vec2 at;
-    char name[32];
-    snprintf(name, sizeof name, "part %d", part->number);
-    if (kg_fill_inside(v, index, &at))
-        kg_ui_name(name, (kg_area){at.x - 1, at.y - 1, 2, 2});
+/* Tells scripts where something is, when it is in sight. */
+static void name(const kg_net_view *v, kg_vec2 at, const char *format, int number) {
+    char text[32];
+    snprintf(text, sizeof text, format, number);
+    if (kg_area_contains(v->area, at))
+        kg_ui_name(text, (kg_area){at.x - 1, at.y - 1, 2, 2});
+}
+
+static void name_all(const kg_net_view *v) {
+    const kg_net *net = kg_net_state_picture(v->state)->net.net;
+    kg_vec2 at, handle;
+    for (size_t i = 0; i < net->part_count; i++)
+        if (kg_fill_inside(v, i, &at))
+            name(v, at, "part %d", net->parts[i].number);
+    for (size_t i = 0; i < net->join_count; i++) {
+        const kg_net_side *side = &net->joins[i].sides[0];
+        if (kg_net_side_points(net, side, side->count / 2, &at))
+            name(v, kg_net_view_part_px(v, (size_t)side->part, at), "join %d",
+                 net->joins[i].number);
+    }
+    if (kg_net_view_handle(v, &at, &handle))
+        name(v, handle, "turn part", 0);
 }
 
 void kg_net_draw_pages(const kg_net_view *v, const kg_editor *e) {
@@ -320,17 +334,13 @@ void kg_net_draw_pages(const kg_net_view *v, const kg_editor *e) {
         fill_part(v, e, i, &line);
     for (size_t i = 0; i < pages && i < p->layout->page_count; i++)
         draw_page(v, (int)i, &line);
-    for (size_t i = 0; pages > 0 && i < p->net.net->part_count; i++) {
+    for (size_t i = 0; pages > 0 && i < p->net.net->part_count; i++)
         if (p->net.net->parts[i].pinned || (int)i == v->moved_part)
             draw_pin(v, i);
-        name_part(v, i);
-    }
     if (pages > 0) {
         draw_join(v, &line);
         draw_handle(v);
-        kg_vec2 center, handle;
-        if (kg_net_view_handle(v, &center, &handle))
-            kg_ui_name("turn part", (kg_area){handle.x - 1, handle.y - 1, 2, 2});
+        name_all(v);
     }
     kg_ui_canvas_unclip();
     free(line.items);

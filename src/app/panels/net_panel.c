@@ -207,6 +207,7 @@ static void join_menu(kg_app *app, const kg_net_join *join) {
     static const char *const shapes[] = {"auto", "trapezoid", "teeth"};
     const char *const shape_names[] = {_("shape: automatic"), _("shape: trapezoids"),
                                        _("shape: teeth")};
+    kg_net_view *v = &app->net_view;
     kg_editor *e = &app->editor;
     kg_model_join wish = wish_of(e, join);
     char names[2][128], text[2][192], title[320];
@@ -229,19 +230,21 @@ static void join_menu(kg_app *app, const kg_net_join *join) {
     if (kg_ui_menu_item(_("merge the parts here"), "", wish.merge, !is_contact))
         set_join(e, join, "merge", json_boolean(!wish.merge));
     kg_ui_tooltip(_("One part with a fold instead of two, where the seam is straight on both."));
-    double width = wish.width;
     kg_ui_width(120);
-    unsigned result = kg_ui_number(_("tab width"), &width, 0.1, 0, 100, "%.1f mm");
-    if (result & KG_FIELD_CHANGED)
-        set_join(e, join, "width", json_real(width));
+    unsigned result = kg_ui_number(_("tab width"), &v->menu_width, 0.1, 0, 100, "%.1f mm");
+    if (result & KG_FIELD_ENDED) /* one step, not one a pixel */
+        set_join(e, join, "width", json_real(v->menu_width));
     kg_ui_tooltip(_("0: as the net's"));
 }
 
 static void show_menu(kg_app *app) {
     kg_net_view *v = &app->net_view;
     const kg_net_picture *p = kg_net_state_picture(v->state);
-    if (v->open_menu)
+    if (v->open_menu) {
         kg_ui_popup_open("net menu");
+        if (p && v->menu_join >= 0)
+            v->menu_width = wish_of(&app->editor, &p->net.net->joins[v->menu_join]).width;
+    }
     v->open_menu = false;
     if (!kg_ui_popup_begin("net menu"))
         return;
