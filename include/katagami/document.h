@@ -92,9 +92,9 @@ KG_API kg_status kg_document_check(const kg_document *document, kg_error *error)
 /* How a document becomes parts. */
 typedef struct kg_parts_options {
     double tab_width; /* mm at scale 1; 0: without tabs */
-    kg_vec2 room;     /* page without margins, mm at scale 1; parts that are larger are cut in two as
-                         often as needed, none is merged beyond it. (0,0): no limit */
-    bool merge;       /* make one part of all neighbours that can be folded from one sheet */
+    kg_vec2 room; /* page without margins, mm at scale 1; parts that are larger are cut in two as
+                     often as needed, none is merged beyond it. (0,0): no limit */
+    bool merge;   /* make one part of all neighbours that can be folded from one sheet */
 } kg_parts_options;
 
 /* A net with its remarks. */
@@ -108,7 +108,8 @@ typedef struct kg_document_net {
 
 /* The document's net at scale 1.
  *   tab_width  mm; 0: without tabs
- * KG_ERR_INPUT: the model has a fault. Faults of cards are remarks only: their nets can be drawn. */
+ * KG_ERR_INPUT: the model has a fault. Faults of cards are remarks only: their nets can be drawn.
+ */
 KG_API kg_status kg_document_unroll(const kg_document *document, double tab_width,
                                     kg_document_net *out_net, kg_error *error) KG_CHECKED;
 /* The same with all options: parts fit the room, neighbours that the model or the options want in

@@ -56,9 +56,9 @@ static char *moved_reference(const kg_document *d, const char *path) {
 /* Cards and sheets name no other files. */
 static kg_status save_alone(kg_document *d, const char *path, kg_error *error) {
     char *copy = strdup(path);
-    kg_status status = !copy      ? kg_fail(error, KG_ERR_MEMORY, "out of memory")
+    kg_status status = !copy       ? kg_fail(error, KG_ERR_MEMORY, "out of memory")
                        : d->folded ? kg_origami_write(d->folded->origami, path, error)
-                                  : kg_oa_write(d->card->oa, path, error);
+                                   : kg_oa_write(d->card->oa, path, error);
     if (status) {
         free(copy);
         return status;

@@ -61,7 +61,7 @@ class writer {
     const kg_mesh *mesh;
     const uint32_t *triangles;
     const kg_mesh_motion *motion; /* or null */
-    std::vector<uint32_t> local; /* index within the piece of each vertex in it */
+    std::vector<uint32_t> local;  /* index within the piece of each vertex in it */
 
     void add(const piece &p) {
         std::vector<uint32_t> vertices, indices;
