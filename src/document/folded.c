@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Of the drawn folded, over the size of the sheets: as thin as can be seen apart. */
-#define THICKNESS 0.002
+#define THICKNESS 0.003
 
 kg_folded *kg_folded_create(kg_origami *origami) {
     kg_folded *folded = calloc(1, sizeof *folded);
