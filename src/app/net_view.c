@@ -108,28 +108,26 @@ static kg_vec2 turned(kg_vec2 p, double angle) {
     return kg_v2(c * p.x - s * p.y, s * p.x + c * p.y);
 }
 
-/* Board point of a part's point, and back. */
-static kg_vec2 to_board(const kg_net_view *v, const kg_net_placement *at, kg_vec2 p) {
-    double scale = picture_of(v)->layout->scale;
-    kg_vec2 q = kg_add2(turned(kg_scale2(p, scale), at->angle), at->offset);
-    return kg_add2(q, kg_net_view_page_origin(v, at->page));
-}
-
+/* The part's point at a point of the board. */
 static kg_vec2 from_board(const kg_net_view *v, const kg_net_placement *at, kg_vec2 p) {
     kg_vec2 q = kg_sub2(kg_sub2(p, kg_net_view_page_origin(v, at->page)), at->offset);
     return kg_scale2(turned(q, -at->angle), 1 / picture_of(v)->layout->scale);
 }
 
-kg_vec2 kg_net_view_part_px(const kg_net_view *v, size_t part, kg_vec2 p) {
+kg_net_map kg_net_view_map(const kg_net_view *v, size_t part) {
     kg_net_placement at = kg_net_view_placement(v, part);
-    return kg_net_view_to_px(v, to_board(v, &at, p));
+    double scale = v->zoom * picture_of(v)->layout->scale;
+    return (kg_net_map){
+        scale * cos(at.angle), scale * sin(at.angle),
+        kg_net_view_to_px(v, kg_add2(kg_net_view_page_origin(v, at.page), at.offset))};
 }
 
 kg_box2 kg_net_view_part_box(const kg_net_view *v, size_t part) {
     const kg_net_line *line = &picture_of(v)->net.net->parts[part].loops[0].line;
+    kg_net_map map = kg_net_view_map(v, part);
     kg_box2 box = kg_box2_empty();
     for (size_t i = 0; i < line->count; i++)
-        kg_box2_add(&box, kg_net_view_part_px(v, part, line->points[i]));
+        kg_box2_add(&box, kg_net_map_apply(&map, line->points[i]));
     return box;
 }
 
@@ -156,7 +154,8 @@ bool kg_net_view_handle(const kg_net_view *v, kg_vec2 *out_center, kg_vec2 *out_
     if (!p || v->active_part < 0 || p->options.paper.x == 0)
         return false;
     const kg_net_part *part = &p->net.net->parts[v->active_part];
-    kg_vec2 center = kg_net_view_part_px(v, (size_t)v->active_part, middle_of(part));
+    kg_net_map map = kg_net_view_map(v, (size_t)v->active_part);
+    kg_vec2 center = kg_net_map_apply(&map, middle_of(part));
     if (v->gesture == KG_NET_TURNING) {
         *out_handle = v->last;
     } else {
@@ -271,8 +270,11 @@ static double side_distance(const kg_net_view *v, const kg_net_side *side, kg_ve
     const kg_net *net = picture_of(v)->net.net;
     double best = INFINITY;
     kg_vec2 p, before = px;
+    if (side->part < 0)
+        return best;
+    kg_net_map map = kg_net_view_map(v, (size_t)side->part);
     for (size_t i = 0; kg_net_side_points(net, side, i, &p); i++) {
-        kg_vec2 at = kg_net_view_part_px(v, (size_t)side->part, p);
+        kg_vec2 at = kg_net_map_apply(&map, p);
         if (i > 0)
             best = fmin(best, distance(px, before, at));
         before = at;

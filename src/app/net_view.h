@@ -67,8 +67,16 @@ size_t kg_net_view_page_count(const kg_net_view *view);
 kg_net_placement kg_net_view_placement(const kg_net_view *view, size_t part);
 /* That placement turned about the part's middle. */
 kg_net_placement kg_net_view_turned(const kg_net_view *view, size_t part, double angle);
-/* Pixel of a point of a part, in the part's own coordinates. */
-kg_vec2 kg_net_view_part_px(const kg_net_view *view, size_t part, kg_vec2 p);
+/* Takes points of a part, in its own coordinates, to pixels: turned, scaled, moved. */
+typedef struct kg_net_map {
+    double c, s;
+    kg_vec2 offset;
+} kg_net_map;
+kg_net_map kg_net_view_map(const kg_net_view *view, size_t part);
+static inline kg_vec2 kg_net_map_apply(const kg_net_map *map, kg_vec2 p) {
+    return kg_v2(map->c * p.x - map->s * p.y + map->offset.x,
+                 map->s * p.x + map->c * p.y + map->offset.y);
+}
 /* The box of a part, pixels. */
 kg_box2 kg_net_view_part_box(const kg_net_view *view, size_t part);
 /* Where the handle that turns the active part is; false when there is none. */

@@ -131,6 +131,8 @@ def test_a_patch_is_placed_by_four_clicks_and_the_net_exported():
         app.xdotool("type", "--delay", "20", "file.export_net")
         app.key("Return")
         time.sleep(0.5)
+        app.key("Return")  # what kind of file: SVG
+        time.sleep(0.5)
         app.key("Return")
         time.sleep(1)
         assert pathlib.Path(folder, "one.svg").exists()

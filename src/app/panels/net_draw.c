@@ -156,8 +156,9 @@ static void draw_caption(const pen *p, const kg_caption *c, kg_color color) {
 static void add_loop(const kg_net_view *v, size_t part, size_t loop, kg_polyline *out) {
     const kg_net_line *line =
         &kg_net_state_picture(v->state)->net.net->parts[part].loops[loop].line;
+    kg_net_map map = kg_net_view_map(v, part);
     for (size_t i = 0; i <= line->count; i++)
-        if (!kg_push(out, kg_net_view_part_px(v, part, line->points[i % line->count])))
+        if (!kg_push(out, kg_net_map_apply(&map, line->points[i % line->count])))
             return;
 }
 
@@ -230,8 +231,11 @@ static void draw_join(const kg_net_view *v, kg_polyline *line) {
     for (int s = 0; s < 2; s++) {
         kg_vec2 p;
         line->count = 0;
+        if (join->sides[s].part < 0)
+            continue;
+        kg_net_map map = kg_net_view_map(v, (size_t)join->sides[s].part);
         for (size_t i = 0; kg_net_side_points(net, &join->sides[s], i, &p); i++)
-            if (!kg_push(line, kg_net_view_part_px(v, (size_t)join->sides[s].part, p)))
+            if (!kg_push(line, kg_net_map_apply(&map, p)))
                 return;
         if (line->count < 2)
             continue;
@@ -311,9 +315,10 @@ static void name_all(const kg_net_view *v) {
             name(v, at, "part %d", net->parts[i].number);
     for (size_t i = 0; i < net->join_count; i++) {
         const kg_net_side *side = &net->joins[i].sides[0];
-        if (kg_net_side_points(net, side, side->count / 2, &at))
-            name(v, kg_net_view_part_px(v, (size_t)side->part, at), "join %d",
-                 net->joins[i].number);
+        if (!kg_net_side_points(net, side, side->count / 2, &at))
+            continue;
+        kg_net_map map = kg_net_view_map(v, (size_t)side->part);
+        name(v, kg_net_map_apply(&map, at), "join %d", net->joins[i].number);
     }
     if (kg_net_view_handle(v, &at, &handle))
         name(v, handle, "turn part", 0);

@@ -107,13 +107,14 @@ bool kg_fill_inside(const kg_net_view *v, size_t part, kg_vec2 *out) {
     if (!(spacing > 0))
         return false;
     kg_fill f;
+    kg_net_map map = kg_net_view_map(v, part);
     kg_fill_begin(&f);
     for (size_t k = 0; k < p->loop_count; k++) {
         const kg_net_line *line = &p->loops[k].line;
         kg_polyline outline = {0};
         for (size_t i = 0; i < line->count; i++) {
             /* from the box's corner, so that the rows lie the same way in it wherever it is */
-            kg_vec2 at = kg_sub2(kg_net_view_part_px(v, part, line->points[i]), box.lo);
+            kg_vec2 at = kg_sub2(kg_net_map_apply(&map, line->points[i]), box.lo);
             if (!kg_push(&outline, at))
                 break;
         }
