@@ -14,14 +14,11 @@
  * that something moves for ever. */
 enum { MOST_FRAMES = 8 };
 
-kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error *error) {
-    kg_settings settings;
-    kg_settings_default(&settings);
-    kg_settings_read(&settings);
-    kg_language_use(settings.language);
+kg_status kg_app_init(kg_app *app, int width, int height, double scale, const kg_settings *settings,
+                      kg_error *error) {
+    kg_language_use(settings->language);
     *app = (kg_app){.width = width, .height = height, .scale = scale, .redraw = true};
-    kg_status status = kg_editor_init(&app->editor, &settings, error);
-    kg_settings_clear(&settings);
+    kg_status status = kg_editor_init(&app->editor, settings, error);
     if (status)
         return status;
     if (!(status = kg_net_view_init(&app->net_view, error)))
@@ -151,6 +148,10 @@ void kg_app_event(kg_app *app, const kg_event *event, double seconds) {
     kg_ui_set_look(e->settings.theme, scale);
     kg_ui_begin(event, app->width, app->height, seconds);
     bool dragging = e->pane.drag != KG_DRAG_NONE;
+    if (is_of_mouse(event) && kg_ui_has_mouse()) { /* panels may set it again */
+        e->hover_patch = 0;
+        e->hover_point.patch = 0;
+    }
     if (is_of_mouse(event) ? dragging || !kg_ui_has_mouse() : !kg_ui_has_keys())
         give_to_editor(app, event);
     serve_request(app);

@@ -36,8 +36,9 @@ typedef struct kg_app {
     bool redraw; /* the picture is no longer what is shown */
 } kg_app;
 
-/* Needs a current OpenGL context. */
-kg_status kg_app_init(kg_app *app, int width, int height, double scale, kg_error *error) KG_CHECKED;
+/* Needs a current OpenGL context. `settings` is copied. */
+kg_status kg_app_init(kg_app *app, int width, int height, double scale, const kg_settings *settings,
+                      kg_error *error) KG_CHECKED;
 void kg_app_clear(kg_app *app);
 
 /* Opens a model, or takes a mesh as the reference. What goes wrong is shown. */

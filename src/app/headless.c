@@ -77,7 +77,6 @@ static kg_status shoot(void *user, const char *path, kg_error *error) {
 static kg_status run(kg_app *app, const kg_run_options *o, kg_error *error) {
     kg_status status = KG_OK;
     canvas c = {.app = app};
-    app->editor.settings.autosave_minutes = 0;
     app->editor.settings.net_view = false; /* until a script asks for it */
     if (o->model)
         status = kg_editor_open(&app->editor, o->model, error);
@@ -92,12 +91,16 @@ static kg_status run(kg_app *app, const kg_run_options *o, kg_error *error) {
 
 kg_status kg_headless_run(const kg_run_options *o, kg_error *error) {
     kg_offscreen *offscreen;
+    kg_settings settings; /* the same whoever runs the script */
     kg_app app;
+    kg_settings_default(&settings);
+    settings.transient = true;
+    settings.autosave_minutes = 0;
     kg_status status = kg_offscreen_create(&offscreen, error);
     if (status)
         return status;
-    status =
-        kg_app_init(&app, (int)(o->width * o->scale), (int)(o->height * o->scale), o->scale, error);
+    status = kg_app_init(&app, (int)(o->width * o->scale), (int)(o->height * o->scale), o->scale,
+                         &settings, error);
     if (!status) {
         status = run(&app, o, error);
         kg_app_clear(&app);

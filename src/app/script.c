@@ -307,6 +307,14 @@ static kg_status do_recover(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
+/* From here on with the user's preferences, read and kept. */
+static kg_status do_preferences(script *s, const char *words, kg_error *error) {
+    (void)words, (void)error;
+    s->app->editor.settings.transient = false;
+    kg_settings_read(&s->app->editor.settings);
+    return KG_OK;
+}
+
 static kg_status do_autosave(script *s, const char *words, kg_error *error) {
     if (!next_number(&words, &s->app->editor.settings.autosave_minutes))
         return kg_fail(error, KG_ERR_INPUT, "autosave needs a number of minutes");
@@ -337,12 +345,25 @@ static kg_status do_monkey(script *s, const char *words, kg_error *error) {
 static const struct {
     const char *name;
     kg_status (*run)(script *, const char *, kg_error *);
-} verbs[] = {{"move", do_move},     {"click", do_click},     {"drag", do_drag},
-             {"key", do_key},       {"text", do_text},       {"wheel", do_wheel},
-             {"open", do_open},     {"save", do_save},       {"drop", do_drop},
-             {"wait", do_wait},     {"command", do_command}, {"fail", do_fail},
-             {"expect", do_expect}, {"shot", do_shot},       {"resize", do_resize},
-             {"monkey", do_monkey}, {"recover", do_recover}, {"autosave", do_autosave}};
+} verbs[] = {{"move", do_move},
+             {"click", do_click},
+             {"drag", do_drag},
+             {"key", do_key},
+             {"text", do_text},
+             {"wheel", do_wheel},
+             {"open", do_open},
+             {"save", do_save},
+             {"drop", do_drop},
+             {"wait", do_wait},
+             {"command", do_command},
+             {"fail", do_fail},
+             {"expect", do_expect},
+             {"shot", do_shot},
+             {"resize", do_resize},
+             {"monkey", do_monkey},
+             {"recover", do_recover},
+             {"autosave", do_autosave},
+             {"preferences", do_preferences}};
 
 static kg_status run_line(script *s, const char *line, kg_error *error) {
     char verb[32];

@@ -130,6 +130,8 @@ void kg_settings_read(kg_settings *s) {
 
 kg_status kg_settings_write(const kg_settings *s, kg_error *error) {
     char path[KG_PATH_SIZE];
+    if (s->transient)
+        return KG_OK;
     if (!kg_config_path("settings.json", path))
         return kg_fail(error, KG_ERR_IO, "there is no home folder to keep preferences in");
     json_t *recent = json_array();

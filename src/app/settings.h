@@ -16,6 +16,7 @@ typedef struct kg_export_choice {
 } kg_export_choice;
 
 typedef struct kg_settings {
+    bool transient;    /* never written: a script's */
     char language[16]; /* "" as the system, "en", "ja" */
     kg_navigation navigation;
     kg_ui_theme theme;

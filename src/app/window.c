@@ -197,7 +197,11 @@ static kg_status run(window *w, const kg_run_options *o, kg_error *error) {
     kg_app app;
     glfwGetFramebufferSize(w->handle, &width, &height);
     glfwGetWindowContentScale(w->handle, &x, &y);
-    kg_status status = kg_app_init(&app, width, height, (double)x, error);
+    kg_settings settings;
+    kg_settings_default(&settings);
+    kg_settings_read(&settings);
+    kg_status status = kg_app_init(&app, width, height, (double)x, &settings, error);
+    kg_settings_clear(&settings);
     if (status)
         return status;
     w->app = &app;

@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 void kg_dialogs_fail(kg_app *app, const kg_error *error) {
     snprintf(app->dialogs.error, sizeof app->dialogs.error, "%s", error->message);
@@ -15,14 +16,23 @@ void kg_dialogs_fail(kg_app *app, const kg_error *error) {
 
 /* ---- going on ---------------------------------------------------------------------------- */
 
-static void remember(kg_app *app) {
+static void write_settings(kg_app *app) {
     kg_error error;
-    const char *path = app->editor.path;
-    if (!path || path[0] != '/')
-        return;
-    kg_settings_add_recent(&app->editor.settings, path);
     if (kg_settings_write(&app->editor.settings, &error))
         kg_editor_say(&app->editor, KG_WARNING, "%s", error.message);
+}
+
+/* Puts the document's file first in the list of recent ones. */
+static void remember(kg_app *app) {
+    char whole[KG_PATH_SIZE], folder[KG_PATH_SIZE / 2];
+    const char *path = app->editor.path;
+    int n = !path || path[0] == '/'         ? 0
+            : getcwd(folder, sizeof folder) ? snprintf(whole, sizeof whole, "%s/%s", folder, path)
+                                            : -1;
+    if (!path || n < 0 || n >= KG_PATH_SIZE)
+        return;
+    kg_settings_add_recent(&app->editor.settings, n > 0 ? whole : path);
+    write_settings(app);
 }
 
 static void go_on(kg_app *app, kg_purpose purpose) {
@@ -44,6 +54,7 @@ static void go_on(kg_app *app, kg_purpose purpose) {
             remember(app);
         break;
     case KG_FOR_QUIT:
+        write_settings(app);
         app->quit = true;
         break;
     default:
