@@ -49,14 +49,14 @@ static void take(callouts *c, kg_vec2 centre, kg_vec2 half) {
 
 /* ---- joins ------------------------------------------------------------------------------ */
 
-static void draw_arrow(kg_paper *paper, kg_vec2 from, kg_vec2 to) {
+static void draw_arrow(kg_book *paper, kg_vec2 from, kg_vec2 to) {
     static const double dashes[] = {1.2, 0.8};
     double length = kg_dist2(from, to);
     if (length < LEAST_ARROW)
         return;
     kg_vec2 way = kg_scale2(kg_sub2(to, from), 1 / length), side = kg_v2(-way.y, way.x);
     kg_vec2 neck = kg_sub2(to, kg_scale2(way, 2));
-    kg_paper_colour(paper, KG_STAGE_JOIN);
+    kg_book_colour(paper, KG_STAGE_JOIN);
     cairo_set_line_width(paper->cr, 0.3);
     cairo_set_dash(paper->cr, dashes, 2, 0);
     cairo_move_to(paper->cr, from.x, from.y);
@@ -78,7 +78,7 @@ static kg_vec2 step_aside(callouts *c, kg_vec2 centre, kg_vec2 half) {
         kg_vec2 place = kg_add2(centre, kg_v2(radius * cos(angle), radius * sin(angle)));
         if (!is_clear(c, place, half))
             continue;
-        kg_paper_colour(c->guide->paper, KG_STAGE_JOIN);
+        kg_book_colour(c->guide->paper, KG_STAGE_JOIN);
         cairo_set_line_width(c->guide->paper->cr, 0.25);
         cairo_move_to(c->guide->paper->cr, centre.x, centre.y);
         cairo_line_to(c->guide->paper->cr, place.x, place.y);
@@ -92,7 +92,7 @@ static kg_vec2 step_aside(callouts *c, kg_vec2 centre, kg_vec2 half) {
 static void draw_join(callouts *c, int index) {
     const kg_assembly_join *join = &c->guide->assembly->joins[index];
     int number = c->guide->net->joins[index].number;
-    kg_vec2 half = kg_paper_badge_half(number);
+    kg_vec2 half = kg_book_badge_half(number);
     if (join->count == 0)
         return;
     kg_vec3 best = join->points[join->count / 2];
@@ -113,7 +113,7 @@ static void draw_join(callouts *c, int index) {
         draw_arrow(c->guide->paper, project(c, kg_add(best, c->view->offset)), project(c, best));
     if (best_score < CLEAR)
         centre = step_aside(c, centre, half);
-    kg_paper_join_badge(c->guide->paper, centre.x, centre.y, number);
+    kg_book_join_badge(c->guide->paper, centre.x, centre.y, number);
     take(c, centre, half);
 }
 
@@ -124,7 +124,7 @@ static void draw_part(callouts *c, int index) {
     const kg_assembly_part *part = &c->guide->assembly->parts[index];
     int number = c->guide->net->parts[index].number;
     bool new = c->view->roles[index] == KG_ROLE_NEW;
-    kg_vec2 half = kg_paper_badge_half(number), middle = kg_v2(0, 0), best = middle;
+    kg_vec2 half = kg_book_badge_half(number), middle = kg_v2(0, 0), best = middle;
     bool seen[KG_ASSEMBLY_SAMPLES];
     size_t count = 0;
     double nearest = INFINITY;
@@ -152,7 +152,7 @@ static void draw_part(callouts *c, int index) {
     }
     if (!isfinite(nearest))
         return;
-    kg_paper_part_badge(c->guide->paper, best.x, best.y, number, new ? 0xffd58a : 0xffffff);
+    kg_book_part_badge(c->guide->paper, best.x, best.y, number, new ? 0xffd58a : 0xffffff);
     take(c, best, half);
 }
 

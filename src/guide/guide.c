@@ -51,7 +51,7 @@ kg_status kg_guide_picture(kg_guide *guide, const kg_view_of *view, kg_stage_loo
         kg_stage_picture(guide->stage, view, look, camera, (int)lround(size.x * DOTS_PER_MM),
                          (int)lround(size.y * DOTS_PER_MM), &image, error);
     if (!status)
-        status = kg_paper_image(guide->paper, &image, at.x, at.y, size.x, error);
+        status = kg_book_image(guide->paper, &image, at.x, at.y, size.x, error);
     kg_image_destroy(&image);
     return status;
 }
@@ -90,7 +90,7 @@ static kg_status open_paper(kg_guide *guide, kg_error *error) {
     bool titled = guide->net->title && guide->net->title[0];
     kg_words(title, sizeof title, KG_WORD_UNTITLED);
     kg_words(footer, sizeof footer, KG_WORD_FOOTER, titled ? guide->net->title : title);
-    return kg_paper_create(paper_size(guide->layout), footer, footer, &guide->paper, error);
+    return kg_book_create(paper_size(guide->layout), footer, footer, &guide->paper, error);
 }
 
 kg_status kg_guide_write(const kg_document *document, const kg_document_net *net,
@@ -111,10 +111,10 @@ kg_status kg_guide_write(const kg_document *document, const kg_document_net *net
     if (!status)
         status = kg_guide_steps(&guide, error);
     if (!status)
-        status = kg_paper_finish(guide.paper, error);
+        status = kg_book_finish(guide.paper, error);
     if (!status)
         status = kg_file_write(path, guide.paper->bytes.items, guide.paper->bytes.count, error);
-    kg_paper_destroy(guide.paper);
+    kg_book_destroy(guide.paper);
     kg_stage_destroy(guide.stage);
     kg_guide_order_destroy(guide.order);
     kg_assembly_destroy(guide.assembly);

@@ -2,7 +2,7 @@
 #ifndef KG_GUIDE_GUIDE_H
 #define KG_GUIDE_GUIDE_H
 
-#include "guide/paper.h"
+#include "guide/book.h"
 #include "guide/stage.h"
 #include "guide/words.h"
 #include "katagami/guide.h"
@@ -17,7 +17,7 @@ typedef struct kg_guide {
     kg_assembly *assembly;
     kg_guide_order *order;
     kg_stage *stage;
-    kg_paper *paper;
+    kg_book *paper;
 } kg_guide;
 
 /* Cover, list of parts, legend. */

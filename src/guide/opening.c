@@ -7,7 +7,7 @@
 #include <string.h>
 
 static const kg_text title_text = {KG_PAPER_TITLE, KG_INK, KG_ALIGN_LEFT, 3};
-static const kg_text heading = {KG_PAPER_HEADING, KG_INK, KG_ALIGN_LEFT, 0};
+static const kg_text heading = {KG_BOOK_HEADING, KG_INK, KG_ALIGN_LEFT, 0};
 static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
 static const kg_text faint = {KG_PAPER_TEXT, KG_FAINT_INK, KG_ALIGN_LEFT, 0};
 static const kg_text entry = {KG_PAPER_SMALL, KG_INK, KG_ALIGN_LEFT, 2};
@@ -45,19 +45,19 @@ static void print_work(const kg_guide *g, char *out, size_t size) {
 
 static kg_status add_cover(kg_guide *g, kg_error *error) {
     char text[KG_SENTENCE];
-    kg_paper *paper = g->paper;
+    kg_book *paper = g->paper;
     unsigned char *roles = malloc(g->net->part_count + 1);
     if (!roles)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     memset(roles, KG_ROLE_STANDING, g->net->part_count + 1);
     bool titled = g->net->title && g->net->title[0];
-    kg_paper_write(paper, &title_text,
+    kg_book_write(paper, &title_text,
                    titled ? g->net->title : kg_words(text, sizeof text, KG_WORD_UNTITLED));
-    kg_paper_write(paper, &faint, kg_words(text, sizeof text, KG_WORD_GUIDE));
+    kg_book_write(paper, &faint, kg_words(text, sizeof text, KG_WORD_GUIDE));
     paper->y += 6;
 
     kg_view_of view = {.roles = roles};
-    kg_vec2 size = kg_v2(kg_paper_width(paper), 0.75 * kg_paper_width(paper));
+    kg_vec2 size = kg_v2(kg_book_width(paper), 0.75 * kg_book_width(paper));
     kg_camera camera = kg_camera_default();
     kg_camera_fit(&camera, g->assembly->box, size.x / size.y);
     kg_status status = kg_guide_picture(g, &view, KG_LOOK_COLORS, &camera,
@@ -65,13 +65,13 @@ static kg_status add_cover(kg_guide *g, kg_error *error) {
     free(roles);
     paper->y += size.y + 6;
     kg_vec3 extent = kg_scale(kg_sub(g->assembly->box.hi, g->assembly->box.lo), g->layout->scale);
-    kg_paper_write(paper, &plain,
+    kg_book_write(paper, &plain,
                    kg_words(text, sizeof text, KG_WORD_SIZE, extent.x, extent.y, extent.z));
-    kg_paper_write(paper, &plain,
+    kg_book_write(paper, &plain,
                    kg_words(text, sizeof text, KG_WORD_COUNTS, (int)g->net->part_count,
                             (int)g->layout->page_count, (int)g->net->join_count));
     print_work(g, text, sizeof text);
-    kg_paper_write(paper, &plain, text);
+    kg_book_write(paper, &plain, text);
     return status;
 }
 
@@ -119,15 +119,15 @@ static void trace(cairo_t *cr, const thumbnail *t, const kg_vec2 *points, size_t
 }
 
 /* A stroke of `width` mm on paper, whatever the scale of the drawing. */
-static void stroke(kg_paper *paper, uint32_t colour, double width, double scale) {
-    kg_paper_colour(paper, colour);
+static void stroke(kg_book *paper, uint32_t colour, double width, double scale) {
+    kg_book_colour(paper, colour);
     cairo_set_line_width(paper->cr, width / scale);
     cairo_stroke(paper->cr);
 }
 
 static void show_thumbnail(kg_guide *g, size_t index, const thumbnail *t, kg_vec2 centre,
                            double scale) {
-    kg_paper *paper = g->paper;
+    kg_book *paper = g->paper;
     const kg_net_part *part = &g->net->parts[index];
     const kg_assembly_part *shape = &g->assembly->parts[index];
     kg_color c = kg_palette(index);
@@ -153,19 +153,19 @@ static void show_thumbnail(kg_guide *g, size_t index, const thumbnail *t, kg_vec
 
 static void add_parts(kg_guide *g) {
     char text[KG_SENTENCE];
-    kg_paper *paper = g->paper;
-    double width = kg_paper_width(paper) / COLUMNS, scale = INFINITY;
+    kg_book *paper = g->paper;
+    double width = kg_book_width(paper) / COLUMNS, scale = INFINITY;
     kg_vec2 room = kg_v2(width - 6, CELL_HEIGHT - CELL_TEXT - 4);
     for (size_t i = 0; i < g->net->part_count; i++) {
         thumbnail t = thumbnail_of(g, i);
         scale = fmin(scale, fmin(room.x / extent_of(&t).x, room.y / extent_of(&t).y));
     }
-    kg_paper_write(paper, &heading, kg_words(text, sizeof text, KG_WORD_PARTS));
+    kg_book_write(paper, &heading, kg_words(text, sizeof text, KG_WORD_PARTS));
     paper->y += 2;
     for (size_t i = 0; i < g->net->part_count; i++) {
         size_t column = i % COLUMNS;
         if (column == 0)
-            kg_paper_need(paper, CELL_HEIGHT);
+            kg_book_need(paper, CELL_HEIGHT);
         double x = KG_PAPER_MARGIN + (double)column * width;
         thumbnail t = thumbnail_of(g, i);
         kg_vec2 extent = extent_of(&t);
@@ -173,14 +173,14 @@ static void add_parts(kg_guide *g) {
                           fmin(room.x / extent.x, room.y / extent.y));
         show_thumbnail(g, i, &t, kg_v2(x + width / 2, paper->y + room.y / 2 + 1), own);
         int number = g->net->parts[i].number;
-        double half = kg_paper_badge_half(number).x, y = paper->y + CELL_HEIGHT - CELL_TEXT;
-        kg_paper_part_badge(paper, x + half + 1, y + 2.6, number, 0xffffff);
+        double half = kg_book_badge_half(number).x, y = paper->y + CELL_HEIGHT - CELL_TEXT;
+        kg_book_part_badge(paper, x + half + 1, y + 2.6, number, 0xffffff);
         double left = x + 2 * half + 2.5, wide = width - 2 * half - 4;
         const char *name = g->net->parts[i].name;
         if (name && name[0])
-            y += kg_paper_text(paper, &entry, left, y, wide, name);
+            y += kg_book_text(paper, &entry, left, y, wide, name);
         kg_words(text, sizeof text, KG_WORD_PAGE, g->layout->placements[i].page + 1);
-        kg_paper_text(paper, &entry, left, y, wide, text);
+        kg_book_text(paper, &entry, left, y, wide, text);
         if (column == COLUMNS - 1 || i + 1 == g->net->part_count)
             paper->y += CELL_HEIGHT;
     }
@@ -191,7 +191,7 @@ static void add_parts(kg_guide *g) {
 #define SAMPLE_WIDTH 26.0
 
 static void show_sample(kg_guide *g, kg_net_layer layer, double x, double y) {
-    kg_paper *paper = g->paper;
+    kg_book *paper = g->paper;
     const double *dashes = NULL;
     int count = g->options->dashes ? kg_layer_dashes(layer, &dashes) : 0;
     cairo_set_dash(paper->cr, dashes, count, 0);
@@ -202,7 +202,7 @@ static void show_sample(kg_guide *g, kg_net_layer layer, double x, double y) {
 }
 
 static void show_tab(kg_guide *g, double x, double y) {
-    kg_paper *paper = g->paper;
+    kg_book *paper = g->paper;
     cairo_move_to(paper->cr, x + 3, y + 2);
     cairo_line_to(paper->cr, x + 6, y - 2);
     cairo_line_to(paper->cr, x + 20, y - 2);
@@ -233,26 +233,26 @@ static const legend_row legend[] = {
 
 static void add_legend(kg_guide *g) {
     char text[KG_SENTENCE];
-    kg_paper *paper = g->paper;
+    kg_book *paper = g->paper;
     double x = KG_PAPER_MARGIN, column = x + SAMPLE_WIDTH + 6,
-           width = kg_paper_width(paper) - SAMPLE_WIDTH - 6;
-    kg_paper_need(paper, 95);
+           width = kg_book_width(paper) - SAMPLE_WIDTH - 6;
+    kg_book_need(paper, 95);
     paper->y += 4;
-    kg_paper_write(paper, &heading, kg_words(text, sizeof text, KG_WORD_LEGEND));
+    kg_book_write(paper, &heading, kg_words(text, sizeof text, KG_WORD_LEGEND));
     paper->y += 2;
     for (size_t i = 0; i < sizeof legend / sizeof *legend; i++) {
         kg_words(text, sizeof text, legend[i].word);
-        double height = kg_paper_text_height(paper, &plain, width, text), y = paper->y + 2.6;
-        kg_paper_need(paper, height);
+        double height = kg_book_text_height(paper, &plain, width, text), y = paper->y + 2.6;
+        kg_book_need(paper, height);
         if (legend[i].sample == SAMPLE_LINE)
             show_sample(g, legend[i].layer, x, y);
         else if (legend[i].sample == SAMPLE_TAB)
             show_tab(g, x, y);
         else if (legend[i].sample == SAMPLE_NUMBER)
-            kg_paper_join_badge(paper, x + SAMPLE_WIDTH / 2, y, 7);
+            kg_book_join_badge(paper, x + SAMPLE_WIDTH / 2, y, 7);
         else if (legend[i].sample == SAMPLE_PART)
-            kg_paper_part_badge(paper, x + SAMPLE_WIDTH / 2, y, 4, KG_STAGE_NEW);
-        paper->y += kg_paper_text(paper, &plain, column, paper->y, width, text) + 2.2;
+            kg_book_part_badge(paper, x + SAMPLE_WIDTH / 2, y, 4, KG_STAGE_NEW);
+        paper->y += kg_book_text(paper, &plain, column, paper->y, width, text) + 2.2;
     }
 }
 
@@ -260,7 +260,7 @@ kg_status kg_guide_opening(kg_guide *g, kg_error *error) {
     kg_status status = add_cover(g, error);
     if (status)
         return status;
-    kg_paper_turn(g->paper);
+    kg_book_turn(g->paper);
     add_parts(g);
     add_legend(g);
     return KG_OK;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const kg_text heading = {KG_PAPER_HEADING, KG_INK, KG_ALIGN_LEFT, 1};
+static const kg_text heading = {KG_BOOK_HEADING, KG_INK, KG_ALIGN_LEFT, 1};
 static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
 
 /* Sizes of pictures, mm: how the part is glued, and what stands afterwards. */
@@ -179,8 +179,8 @@ static kg_box3 focus_of(const kg_guide *g, const kg_view_of *view) {
 
 static kg_status add_pictures(walk *w, const kg_guide_step *step, kg_error *error) {
     kg_guide *g = w->guide;
-    kg_paper *paper = g->paper;
-    double width = kg_paper_width(paper);
+    kg_book *paper = g->paper;
+    double width = kg_book_width(paper);
     kg_vec2 at = kg_v2(KG_PAPER_MARGIN, paper->y);
     kg_vec2 size = kg_v2(LEFT_SHARE * width - 2, PICTURE_HEIGHT);
     kg_sight *sight;
@@ -199,7 +199,7 @@ static kg_status add_pictures(walk *w, const kg_guide_step *step, kg_error *erro
     if (!status) {
         kg_callouts_draw(g, &view, sight, &camera, at, size);
         cairo_rectangle(paper->cr, at.x, at.y, size.x, size.y);
-        kg_paper_colour(paper, FRAME);
+        kg_book_colour(paper, FRAME);
         cairo_set_line_width(paper->cr, 0.2);
         cairo_stroke(paper->cr);
     }
@@ -219,38 +219,38 @@ static kg_status add_pictures(walk *w, const kg_guide_step *step, kg_error *erro
 
 /* ---- steps ------------------------------------------------------------------------------ */
 
-static double row_width(const kg_paper *paper, const row *r) {
-    return kg_paper_width(paper) - (r->number > 0 ? ROW_INDENT : 0);
+static double row_width(const kg_book *paper, const row *r) {
+    return kg_book_width(paper) - (r->number > 0 ? ROW_INDENT : 0);
 }
 
 /* With the gap behind it; badges of rows on each other do not touch. */
-static double row_height(const kg_paper *paper, const row *r) {
-    double height = kg_paper_text_height(paper, &plain, row_width(paper, r), r->text) + ROW_GAP;
-    return r->number > 0 ? fmax(height, 2 * kg_paper_badge_half(r->number).y + 0.6) : height;
+static double row_height(const kg_book *paper, const row *r) {
+    double height = kg_book_text_height(paper, &plain, row_width(paper, r), r->text) + ROW_GAP;
+    return r->number > 0 ? fmax(height, 2 * kg_book_badge_half(r->number).y + 0.6) : height;
 }
 
 static kg_status add_step(walk *w, size_t index, rows *text, kg_error *error) {
-    kg_paper *paper = w->guide->paper;
+    kg_book *paper = w->guide->paper;
     const kg_guide_step *step = &w->guide->order->steps[index];
     char title[KG_SENTENCE];
     text->count = 0;
     describe(w, step, text);
     print_heading(w->guide, step, index, title, sizeof title);
-    double height = KG_PAPER_HEADING * 1.4 + HEADING_GAP + PICTURE_HEIGHT + 1;
+    double height = KG_BOOK_HEADING * 1.4 + HEADING_GAP + PICTURE_HEIGHT + 1;
     for (size_t i = 0; i < text->count; i++)
         height += row_height(paper, &text->items[i]);
-    kg_paper_need(paper, fmin(height, kg_paper_bottom(paper) - KG_PAPER_MARGIN));
-    kg_paper_write(paper, &heading, title);
+    kg_book_need(paper, fmin(height, kg_book_bottom(paper) - KG_PAPER_MARGIN));
+    kg_book_write(paper, &heading, title);
     paper->y += HEADING_GAP;
     kg_status status = add_pictures(w, step, error);
     paper->y += PICTURE_HEIGHT + 1;
     for (size_t i = 0; i < text->count; i++) {
         const row *r = &text->items[i];
-        double wide = row_width(paper, r), x = KG_PAPER_MARGIN + kg_paper_width(paper) - wide;
-        kg_paper_need(paper, row_height(paper, r));
+        double wide = row_width(paper, r), x = KG_PAPER_MARGIN + kg_book_width(paper) - wide;
+        kg_book_need(paper, row_height(paper, r));
         if (r->number > 0)
-            kg_paper_join_badge(paper, KG_PAPER_MARGIN + 4, paper->y + 2.6, r->number);
-        kg_paper_text(paper, &plain, x, paper->y, wide, r->text);
+            kg_book_join_badge(paper, KG_PAPER_MARGIN + 4, paper->y + 2.6, r->number);
+        kg_book_text(paper, &plain, x, paper->y, wide, r->text);
         paper->y += row_height(paper, r);
     }
     paper->y += STEP_GAP;

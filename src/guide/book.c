@@ -1,4 +1,4 @@
-#include "guide/paper.h"
+#include "guide/book.h"
 
 #include "guide/words.h"
 #include "net/text.h"
@@ -44,7 +44,7 @@ static void texts_destroy(texts *t) {
     free(t);
 }
 
-static PangoLayout *layout_new(const kg_paper *paper, const kg_text *style, double width,
+static PangoLayout *layout_new(const kg_book *paper, const kg_text *style, double width,
                                const char *text) {
     PangoLayout *layout = pango_layout_new(((texts *)paper->texts)->context);
     PangoFontDescription *font = pango_font_description_from_string(KG_TEXT_FAMILIES);
@@ -71,7 +71,7 @@ static kg_vec2 size_of(PangoLayout *layout) {
     return kg_v2(logical.width * GRID / PANGO_SCALE, logical.height * GRID / PANGO_SCALE);
 }
 
-double kg_paper_text_height(const kg_paper *paper, const kg_text *style, double width,
+double kg_book_text_height(const kg_book *paper, const kg_text *style, double width,
                             const char *text) {
     PangoLayout *layout = layout_new(paper, style, width, text);
     double height = size_of(layout).y;
@@ -79,11 +79,11 @@ double kg_paper_text_height(const kg_paper *paper, const kg_text *style, double 
     return height;
 }
 
-double kg_paper_text(kg_paper *paper, const kg_text *style, double x, double y, double width,
+double kg_book_text(kg_book *paper, const kg_text *style, double x, double y, double width,
                      const char *text) {
     PangoLayout *layout = layout_new(paper, style, width, text);
     double height = size_of(layout).y;
-    kg_paper_colour(paper, style->colour);
+    kg_book_colour(paper, style->colour);
     cairo_save(paper->cr);
     cairo_translate(paper->cr, x, y);
     cairo_scale(paper->cr, GRID, GRID);
@@ -95,10 +95,10 @@ double kg_paper_text(kg_paper *paper, const kg_text *style, double x, double y, 
     return height;
 }
 
-void kg_paper_write(kg_paper *paper, const kg_text *style, const char *text) {
-    double width = kg_paper_width(paper);
-    kg_paper_need(paper, kg_paper_text_height(paper, style, width, text));
-    paper->y += kg_paper_text(paper, style, KG_PAPER_MARGIN, paper->y, width, text);
+void kg_book_write(kg_book *paper, const kg_text *style, const char *text) {
+    double width = kg_book_width(paper);
+    kg_book_need(paper, kg_book_text_height(paper, style, width, text));
+    paper->y += kg_book_text(paper, style, KG_PAPER_MARGIN, paper->y, width, text);
 }
 
 /* ---- pages ------------------------------------------------------------------------------ */
@@ -108,26 +108,26 @@ static cairo_status_t collect(void *bytes, const unsigned char *data, unsigned i
     return ((kg_bytes *)bytes)->failed ? CAIRO_STATUS_NO_MEMORY : CAIRO_STATUS_SUCCESS;
 }
 
-static bool has_font(const kg_paper *paper) {
+static bool has_font(const kg_book *paper) {
     PangoLayout *layout = layout_new(paper, &(kg_text){.size = KG_PAPER_TEXT}, 0, "0");
     bool found = pango_layout_get_unknown_glyphs_count(layout) == 0;
     g_object_unref(layout);
     return found;
 }
 
-kg_status kg_paper_create(kg_vec2 size, const char *title, const char *footer, kg_paper **out_paper,
+kg_status kg_book_create(kg_vec2 size, const char *title, const char *footer, kg_book **out_paper,
                           kg_error *error) {
-    kg_paper *paper = calloc(1, sizeof *paper);
+    kg_book *paper = calloc(1, sizeof *paper);
     if (paper) {
         paper->texts = texts_create();
         paper->footer = strdup(footer);
     }
     if (!paper || !paper->texts || !paper->footer) {
-        kg_paper_destroy(paper);
+        kg_book_destroy(paper);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
     if (!has_font(paper)) {
-        kg_paper_destroy(paper);
+        kg_book_destroy(paper);
         return kg_fail(error, KG_ERR_SYSTEM,
                        "there is no font for the guide's text: install fonts-ipaexfont-gothic");
     }
@@ -148,7 +148,7 @@ kg_status kg_paper_create(kg_vec2 size, const char *title, const char *footer, k
     return KG_OK;
 }
 
-void kg_paper_destroy(kg_paper *paper) {
+void kg_book_destroy(kg_book *paper) {
     if (!paper)
         return;
     if (paper->cr)
@@ -159,29 +159,29 @@ void kg_paper_destroy(kg_paper *paper) {
     free(paper);
 }
 
-static void show_page(kg_paper *paper) {
+static void show_page(kg_book *paper) {
     char number[32];
     snprintf(number, sizeof number, "%d", paper->page);
-    double y = paper->size.y - KG_PAPER_MARGIN + 2, width = kg_paper_width(paper);
+    double y = paper->size.y - KG_PAPER_MARGIN + 2, width = kg_book_width(paper);
     kg_text style = {KG_PAPER_SMALL, KG_FAINT_INK, KG_ALIGN_LEFT, 1};
-    kg_paper_text(paper, &style, KG_PAPER_MARGIN, y, width - 20, paper->footer);
+    kg_book_text(paper, &style, KG_PAPER_MARGIN, y, width - 20, paper->footer);
     style.align = KG_ALIGN_CENTRE;
-    kg_paper_text(paper, &style, KG_PAPER_MARGIN + width - 20, y, 20, number);
+    kg_book_text(paper, &style, KG_PAPER_MARGIN + width - 20, y, 20, number);
     cairo_show_page(paper->cr);
 }
 
-void kg_paper_turn(kg_paper *paper) {
+void kg_book_turn(kg_book *paper) {
     show_page(paper);
     paper->page++;
     paper->y = KG_PAPER_MARGIN;
 }
 
-void kg_paper_need(kg_paper *paper, double height) {
-    if (paper->y + height > kg_paper_bottom(paper) && paper->y > KG_PAPER_MARGIN)
-        kg_paper_turn(paper);
+void kg_book_need(kg_book *paper, double height) {
+    if (paper->y + height > kg_book_bottom(paper) && paper->y > KG_PAPER_MARGIN)
+        kg_book_turn(paper);
 }
 
-kg_status kg_paper_finish(kg_paper *paper, kg_error *error) {
+kg_status kg_book_finish(kg_book *paper, kg_error *error) {
     show_page(paper);
     cairo_surface_t *surface = cairo_surface_reference(cairo_get_target(paper->cr));
     cairo_status_t status = cairo_status(paper->cr);
@@ -197,22 +197,22 @@ kg_status kg_paper_finish(kg_paper *paper, kg_error *error) {
     return KG_OK;
 }
 
-double kg_paper_width(const kg_paper *paper) {
+double kg_book_width(const kg_book *paper) {
     return paper->size.x - 2 * KG_PAPER_MARGIN;
 }
 
-double kg_paper_bottom(const kg_paper *paper) {
+double kg_book_bottom(const kg_book *paper) {
     return paper->size.y - KG_PAPER_MARGIN;
 }
 
 /* ---- drawing ---------------------------------------------------------------------------- */
 
-void kg_paper_colour(kg_paper *paper, uint32_t colour) {
+void kg_book_colour(kg_book *paper, uint32_t colour) {
     cairo_set_source_rgb(paper->cr, (colour >> 16 & 255) / 255.0, (colour >> 8 & 255) / 255.0,
                          (colour & 255) / 255.0);
 }
 
-kg_status kg_paper_image(kg_paper *paper, const kg_image *image, double x, double y, double width,
+kg_status kg_book_image(kg_book *paper, const kg_image *image, double x, double y, double width,
                          kg_error *error) {
     cairo_surface_t *surface =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, image->width, image->height);
@@ -241,13 +241,13 @@ kg_status kg_paper_image(kg_paper *paper, const kg_image *image, double x, doubl
 
 static const kg_text badge_text = {3.2, KG_INK, KG_ALIGN_LEFT, 0};
 
-kg_vec2 kg_paper_badge_half(int number) {
+kg_vec2 kg_book_badge_half(int number) {
     int digits = number < 10 ? 1 : number < 100 ? 2 : 3;
     return kg_v2(1.5 + 1.0 * digits, 2.4);
 }
 
 /* The digits alone, centred. */
-static void badge_number(kg_paper *paper, double x, double y, int number, uint32_t colour) {
+static void badge_number(kg_book *paper, double x, double y, int number, uint32_t colour) {
     char text[16];
     snprintf(text, sizeof text, "%d", number);
     kg_text style = badge_text;
@@ -255,29 +255,29 @@ static void badge_number(kg_paper *paper, double x, double y, int number, uint32
     PangoLayout *layout = layout_new(paper, &style, 0, text);
     kg_vec2 size = size_of(layout);
     g_object_unref(layout);
-    kg_paper_text(paper, &style, x - size.x / 2, y - size.y / 2, 0, text);
+    kg_book_text(paper, &style, x - size.x / 2, y - size.y / 2, 0, text);
 }
 
-void kg_paper_join_badge(kg_paper *paper, double x, double y, int number) {
-    kg_vec2 half = kg_paper_badge_half(number);
+void kg_book_join_badge(kg_book *paper, double x, double y, int number) {
+    kg_vec2 half = kg_book_badge_half(number);
     cairo_new_path(paper->cr);
     cairo_arc(paper->cr, x - half.x + half.y, y, half.y, PI / 2, 3 * PI / 2);
     cairo_arc(paper->cr, x + half.x - half.y, y, half.y, -PI / 2, PI / 2);
     cairo_close_path(paper->cr);
-    kg_paper_colour(paper, 0xffffff);
+    kg_book_colour(paper, 0xffffff);
     cairo_fill_preserve(paper->cr);
-    kg_paper_colour(paper, 0xc2185b);
+    kg_book_colour(paper, 0xc2185b);
     cairo_set_line_width(paper->cr, 0.45);
     cairo_stroke(paper->cr);
     badge_number(paper, x, y, number, 0xc2185b);
 }
 
-void kg_paper_part_badge(kg_paper *paper, double x, double y, int number, uint32_t colour) {
-    kg_vec2 half = kg_paper_badge_half(number);
+void kg_book_part_badge(kg_book *paper, double x, double y, int number, uint32_t colour) {
+    kg_vec2 half = kg_book_badge_half(number);
     cairo_rectangle(paper->cr, x - half.x, y - half.y, 2 * half.x, 2 * half.y);
-    kg_paper_colour(paper, colour);
+    kg_book_colour(paper, colour);
     cairo_fill_preserve(paper->cr);
-    kg_paper_colour(paper, KG_INK);
+    kg_book_colour(paper, KG_INK);
     cairo_set_line_width(paper->cr, 0.25);
     cairo_stroke(paper->cr);
     badge_number(paper, x, y, number, KG_INK);
