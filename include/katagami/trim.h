@@ -82,7 +82,8 @@ typedef struct kg_cut {
     int64_t source;
     const kg_patch *cutter;
     const kg_crossings *crossings; /* A: the patch to be trimmed, B: the cutter */
-    const kg_regions *bounded;     /* NULL: the whole rectangle cuts; else only these regions */
+    const kg_regions *bounded;     /* NULL: the whole rectangle cuts; else only these regions,
+                                      with their boundary */
 } kg_cut;
 
 /* The whole rectangle of a patch. `tolerance`: greatest chord error of loops, mm. */

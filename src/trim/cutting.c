@@ -34,10 +34,29 @@ static kg_status add_span(const kg_cut *cut, const kg_points *points, bool close
                                             .points = copy});
 }
 
-static bool in_regions(const kg_regions *regions, double s, double t) {
-    for (size_t i = 0; i < regions->count; i++)
-        if (kg_region_contains(&regions->items[i], s, t))
+static bool on_loop(const kg_patch *patch, const kg_region_loop *loop, kg_vec2 at) {
+    double near = KG_CROSSING_EXACT * patch->size;
+    size_t n = loop->point_count;
+    const kg_cross_point *p = loop->points;
+    for (size_t i = 0, j = n - 1; i < n; j = i++) {
+        kg_vec2 a = kg_plane(patch, p[j].u, p[j].v), b = kg_plane(patch, p[i].u, p[i].v);
+        if (kg_dist2(kg_lerp2(a, b, kg_nearest_fraction(at, a, b)), at) <= near)
             return true;
+    }
+    return false;
+}
+
+/* Is a point of the cutter in what is left of it? The boundary counts: where the cutter was cut by
+ * the patch that it cuts now, the two end on each other. */
+static bool is_left(const kg_cut *cut, double s, double t) {
+    const kg_region *regions = cut->bounded->items;
+    for (size_t i = 0; i < cut->bounded->count; i++) {
+        if (kg_region_contains(&regions[i], s, t))
+            return true;
+        for (size_t k = 0; k < regions[i].loop_count; k++)
+            if (on_loop(cut->cutter, &regions[i].loops[k], kg_plane(cut->cutter, s, t)))
+                return true;
+    }
     return false;
 }
 
@@ -49,7 +68,7 @@ static kg_cross_point region_border(const kg_patch *patch, const kg_cut *cut,
     for (int k = 0; k < 50; k++) {
         double mid = 0.5 * (lo + hi);
         at = kg_crossing_at(patch, cut->cutter, branch, i, mid, NULL);
-        if (in_regions(cut->bounded, at.s, at.t) == starts_inside)
+        if (is_left(cut, at.s, at.t) == starts_inside)
             lo = mid;
         else
             hi = mid;
@@ -61,10 +80,10 @@ static kg_status add_bounded(const kg_patch *patch, const kg_cut *cut, const kg_
                              kg_chains *chains) {
     kg_points run = {0};
     kg_status status = KG_OK;
-    bool inside = in_regions(cut->bounded, branch->points[0].s, branch->points[0].t), whole = true;
+    bool inside = is_left(cut, branch->points[0].s, branch->points[0].t), whole = true;
     for (size_t i = 0; i < branch->count && !status; i++) {
         const kg_cross_point *p = &branch->points[i];
-        bool now = in_regions(cut->bounded, p->s, p->t);
+        bool now = is_left(cut, p->s, p->t);
         if (now != inside) {
             kg_cross_point border = region_border(patch, cut, branch, i - 1, inside);
             status = kg_push(&run, border) ? KG_OK : KG_ERR_MEMORY;

@@ -315,6 +315,46 @@ static void a_bounded_cutter_of_which_nothing_is_left_there_is_an_error(void **s
     scene_clear(&s);
 }
 
+/* A ends on B, then what is left of A cuts B, with its boundary. */
+static void a_bounded_cutter_that_ends_on_the_patch_cuts_it(void **state) {
+    (void)state;
+    kg_random r = {116};
+    for (int done = 0; done < 40;) {
+        scene s = {.count = 2};
+        for (size_t i = 0; i < 2; i++)
+            s.patches[i] =
+                random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS), kg_v3(0, 0, 0));
+        kg_cut there, back;
+        kg_trim_notes notes = {0};
+        const kg_vec3 keep = kg_patch_point(&s.patches[0], s.patches[0].extent[0], 0);
+        if (scene_cut(&s, 0, 1, &there) && there.crossings->count == 1) {
+            kg_regions left = trim_whole(&s, 0, 1, &keep, 1, &notes), all = whole(&s, 1), out;
+            kg_regions expected = trim_whole(&s, 1, 0, NULL, 0, NULL);
+            kg_trim trim = scene_trim(&s, 1, NULL);
+            assert_true(scene_cut(&s, 1, 0, &back));
+            back.bounded = &left;
+            kg_error error = {0};
+            if (kg_trim_by(&trim, &all, &back, NULL, 0, &out, &error))
+                fail_msg("%s", error.message);
+            if (notes.count == 0) { /* else A ends partly beside B */
+                double x[PIECES_MAX], y[PIECES_MAX];
+                assert_int_equal(out.count, expected.count);
+                areas_of(&s.patches[1], &out, x);
+                areas_of(&s.patches[1], &expected, y);
+                for (size_t i = 0; i < out.count; i++)
+                    assert_near(x[i], y[i], 1e-5 * y[0]);
+                done++;
+            }
+            kg_regions_clear(&left);
+            kg_regions_clear(&all);
+            kg_regions_clear(&out);
+            kg_regions_clear(&expected);
+        }
+        free(notes.items);
+        scene_clear(&s);
+    }
+}
+
 /* ---- keep points ------------------------------------------------------------------------ */
 
 /* Distance to a region by a fine grid of its patch: never too small, at most `grain` too large. */
@@ -393,6 +433,7 @@ int main(void) {
         cmocka_unit_test(a_cutter_that_misses_is_an_error_and_one_that_comes_too_late_a_note),
         cmocka_unit_test(only_the_trimmed_region_of_a_bounded_cutter_cuts),
         cmocka_unit_test(a_bounded_cutter_of_which_nothing_is_left_there_is_an_error),
+        cmocka_unit_test(a_bounded_cutter_that_ends_on_the_patch_cuts_it),
         cmocka_unit_test(each_keep_point_keeps_the_piece_nearest_to_it),
         cmocka_unit_test(several_keep_points_keep_several_pieces_and_ties_one),
     };
