@@ -71,7 +71,8 @@ static bool has_pins(const kg_editor *e) {
 /* ---- settings --------------------------------------------------------------------------- */
 
 /* Keys that the model holds as it finds them. */
-static const char *const plain_keys[] = {"landscape", "labels", "preset", "nest", "grain", "gap", "merge"};
+static const char *const plain_keys[] = {"landscape", "labels", "preset", "nest",
+                                         "grain",     "gap",    "merge"};
 
 static kg_status set_plain(kg_model_net *net, const json_t *a, kg_error *error) {
     kg_net_options ignored;
@@ -207,7 +208,7 @@ static kg_status toggle_view(kg_editor *e, const json_t *a, kg_error *error) {
     kg_status status = kg_argument_bool(a, "shown", &shown, error);
     if (!status)
         e->settings.net_view = shown;
-    return status;
+    return status ? status : kg_settings_write(&e->settings, error);
 }
 
 static const kg_app_command items[] = {

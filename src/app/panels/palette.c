@@ -102,8 +102,7 @@ static const char *const mouse[][3] = {
     {N_("Zoom"), N_("Wheel"), N_("Wheel, Ctrl + middle drag")},
     {N_("Select"), N_("Click; Shift adds; again: what lies behind"), NULL},
     {N_("Select several"), N_("Drag over empty space"), NULL},
-    {N_("Drag a control point"),
-     N_("Alt: off the reference; Ctrl: steps; Shift: fine"), NULL},
+    {N_("Drag a control point"), N_("Alt: off the reference; Ctrl: steps; Shift: fine"), NULL},
 };
 
 static void help_row(const char *what, const char *keys) {

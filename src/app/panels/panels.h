@@ -12,8 +12,8 @@ void kg_panel_toolbar(kg_app *app, kg_area area);
 void kg_panel_outliner(kg_app *app, kg_area area);
 void kg_panel_properties(kg_app *app, kg_area area);
 void kg_panel_status(kg_app *app, kg_area area);
-void kg_panel_net(kg_app *app); /* takes its place from the 3D view */
-void kg_panel_net_settings(kg_app *app); /* a popup of the net view's header */
+void kg_panel_net(kg_app *app);                         /* takes its place from the 3D view */
+void kg_panel_net_settings(kg_app *app);                /* a popup of the net view's header */
 void kg_panel_axes(kg_app *app);                        /* the ball that turns the view */
 bool kg_axes_event(kg_app *app, const kg_event *event); /* true: it was for the ball */
 
