@@ -58,6 +58,10 @@ static double cell_for(const kg_oa_options *o) {
     return fmin(LARGEST_CELL, fmax(floor(fit * 100), 1) / 100);
 }
 
+static bool is_side(int cells, int least) {
+    return cells >= least && cells <= KG_OA_MAX_SIZE;
+}
+
 static int read_options(const kg_arguments *a, kg_oa_options *out) {
     const char *size = kg_arguments_get(a, "size");
     double smooth = 3, thin = 0;
@@ -65,13 +69,15 @@ static int read_options(const kg_arguments *a, kg_oa_options *out) {
     *out = kg_oa_options_default();
     if (size && sscanf(size, "%dx%dx%d%c", &out->width, &out->depth, &out->height, &rest) != 3)
         return kg_command_misuse("oa", "--size is WxDxH in cells, not %s", size);
+    if (!is_side(out->width, 3) || !is_side(out->depth, 2) || !is_side(out->height, 2))
+        return kg_command_misuse("oa", "--size is 3x2x2 to %dx%dx%d cells, not %s", KG_OA_MAX_SIZE,
+                                 KG_OA_MAX_SIZE, KG_OA_MAX_SIZE, size);
     int code = read_axes(a, out);
     if (code >= 0)
         return code;
     if (kg_arguments_get(a, "windows") && kg_arguments_get(a, "no-windows"))
         return kg_command_misuse("oa", "--windows and --no-windows exclude each other");
-    if (out->width > 0 && out->depth > 0 && out->height > 0)
-        out->cell_mm = cell_for(out);
+    out->cell_mm = cell_for(out);
     if (!kg_arguments_number(a, "cell", 1e-3, KG_OA_MAX_CELL, &out->cell_mm) ||
         !kg_arguments_number(a, "smooth", 0, KG_OA_MAX_SIZE, &smooth) ||
         !kg_arguments_number(a, "thin-top", 0, KG_OA_MAX_SIZE, &thin))

@@ -1,0 +1,159 @@
+"""Pop-up cards through the commands: python3 test_cards.py KATAGAMI"""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+import script  # noqa: E402
+
+KATAGAMI = sys.argv[1]
+DATA = ROOT / "data"
+FOLDER = tempfile.TemporaryDirectory()
+HERE = pathlib.Path(FOLDER.name)
+
+
+def run(*words, expect=0):
+    done = subprocess.run([KATAGAMI, *map(str, words)], capture_output=True, text=True, cwd=HERE,
+                          check=False)
+    assert done.returncode == expect, (words, done.returncode, done.stdout, done.stderr)
+    return done
+
+
+def card(**changes):
+    """A small house as a file, with members of its card changed or (None) left out."""
+    oa = {"size": [5, 4, 5], "cell_mm": 10,
+          "depth": [[0] * 5, [2, 2, 2, 0, 0], [2, 2, 2, 0, 0], [2, 2, 2, 0, 0], [0] * 5]}
+    oa.update(changes)
+    oa = {key: value for key, value in oa.items() if value is not None}
+    path = HERE / "card.katagami"
+    path.write_text(json.dumps({"katagami": 1, "kind": "oa", "oa": oa}, indent=1))
+    return path
+
+
+def lines_of(svg, layer):
+    """Unit lines of a layer as pairs of points in cells of 10 mm."""
+    text = pathlib.Path(svg).read_text(encoding="utf-8")
+    group = re.search(rf'<g [^>]*id="{layer}">(.*?)</g>', text, re.DOTALL)
+    lines = set()
+    for x0, y0, x1, y1 in re.findall(r'd="M ([\d.]+),([\d.]+) L ([\d.]+),([\d.]+)"',
+                                     group[1] if group else ""):
+        x, y, x1, y1 = (round(float(v) / 10) for v in (x0, y0, x1, y1))
+        while (x, y) != (x1, y1):
+            to = (x + (x1 > x) - (x1 < x), y + (y1 > y) - (y1 < y))
+            assert ((x, y), to) not in lines
+            lines.add(((x, y), to))
+            x, y = to
+    return lines
+
+
+def test_net_of_a_box_is_its_lines():
+    run("net", card(), "-o", "net.svg", "--paper", "none")
+    text = (HERE / "net.svg").read_text(encoding="utf-8")
+    assert 'viewBox="0 0 50 90"' in text
+    assert "M 0,0 L 50,0 L 50,90 L 0,90 Z" in text
+    # t = z - y is 5 at the top: the roof from t = 3 to 1, the front from 1 to -2
+    across = lambda row: {((x, row), (x + 1, row)) for x in range(1, 4)}
+    assert lines_of(HERE / "net.svg", "mountain") == across(4)
+    ground = {((0, 5), (1, 5)), ((4, 5), (5, 5))}
+    assert lines_of(HERE / "net.svg", "valley") == across(2) | across(7) | ground
+    sides = {((x, y), (x, y + 1)) for x in (1, 4) for y in range(2, 7)}
+    assert lines_of(HERE / "net.svg", "cut") == sides
+
+
+def test_window_lies_back_on_its_sill():
+    run("net", card(windows=[[2, 1]]), "-o", "net.svg", "--paper", "none")
+    # the cell of level 1 is in row 5; its lower edge is a fold, the other three are cuts
+    assert ((2, 6), (3, 6)) in lines_of(HERE / "net.svg", "mountain")
+    cuts = lines_of(HERE / "net.svg", "cut")
+    assert {((2, 5), (3, 5)), ((2, 5), (2, 6)), ((3, 5), (3, 6))} <= cuts
+
+
+def test_margin_cells_widen_the_sheet():
+    run("net", card(margin_cells=2), "-o", "net.svg", "--paper", "none")
+    assert 'viewBox="0 0 90 130"' in (HERE / "net.svg").read_text(encoding="utf-8")
+
+
+def test_all_commands_take_cards():
+    path = card()
+    info = json.loads(run("info", path, "--json").stdout)
+    assert info["card"]["degrees_of_freedom"] == 1 and info["card"]["valid"]
+    assert info["parts"][0]["area_mm2"] == 4500
+    assert abs(info["parts"][0]["surface_mm2"] - 4500) < 1e-6
+    run("check", path)
+    for name in ("a.pdf", "a.dxf"):
+        run("net", path, "-o", name)
+    for name in ("a.obj", "a.ply", "a.stl", "a.off", "a.gltf", "a.glb", "a.fold"):
+        run("export", path, "-o", name, "--open", "45")
+    fold = json.loads((HERE / "a.fold").read_text(encoding="utf-8"))
+    assert set(fold["edges_assignment"]) == {"B", "C", "M", "V"}
+
+
+def test_pose_follows_the_angle():
+    for angle in (0, 90, 180):
+        run("export", card(), "-o", "pose.obj", "--open", angle)
+        points = [tuple(map(float, line.split()[1:]))
+                  for line in (HERE / "pose.obj").read_text(encoding="utf-8").splitlines()
+                  if line.startswith("v ")]
+        low, high = ([f(p[i] for p in points) for i in range(3)] for f in (min, max))
+        size = [b - a for a, b in zip(low, high)]
+        wanted = {0: [50, 50, 0], 90: [50, 40, 50], 180: [50, 90, 0]}[angle]
+        assert all(abs(a - b) < 1e-6 for a, b in zip(size, wanted)), (angle, size)
+    run("export", card(), "-o", "pose.obj", "--open", "181", expect=2)
+
+
+def test_what_floats_is_an_error_of_check_alone():
+    path = card(windows=[[1, 0], [2, 0], [3, 0]])
+    done = run("check", path, expect=1)
+    assert "not carried by the base" in done.stdout and "[2,1]" in done.stdout
+    errors = json.loads(run("check", path, "--json", expect=1).stdout)["errors"]
+    assert [e["code"] for e in errors] == ["not-carried"]
+    assert "not carried" in run("net", path, "-o", "net.svg").stderr
+
+
+def test_broken_cards_are_refused_with_the_place():
+    columns = [[0] * 5, [2, 3, 2, 0, 0], [0] * 5, [0] * 5, [0] * 5]
+    for changes, words in [
+            ({"depth": columns}, ("column 1, level 1",)),
+            ({"size": [0, 4, 5]}, ("width",)),
+            ({"size": [5, 4, 10 ** 9]}, ("height",)),
+            ({"size": None}, ("size",)),
+            ({"windows": [[5, 0]]}, ("5 is not within",)),
+            ({"windows": [[0, 0]]}, ("column 0",)),
+            ({"omitted": [[1, 2]]}, ("column 1", "height 2")),
+            ({"cell_mm": -1}, ("cell_mm",))]:
+        path = card(**changes)
+        for command in (("check",), ("net", "-o", "no.svg"), ("export", "-o", "no.obj")):
+            done = run(command[0], path, *command[1:], expect=1)
+            assert re.search(r"card\.katagami:\d+: ", done.stderr), done.stderr
+            assert all(word in done.stderr for word in words), (words, done.stderr)
+    assert not (HERE / "no.svg").exists() and not (HERE / "no.obj").exists()
+
+
+def test_mesh_becomes_a_card():
+    run("oa", DATA / "castle.obj", "-o", "castle.katagami", "--size", "60x30x40", "--thin-top", "1",
+        "--diagonals")
+    model = json.loads((HERE / "castle.katagami").read_text(encoding="utf-8"))
+    assert model["oa"]["size"] == [60, 30, 40] and len(model["oa"]["windows"]) > 20
+    run("check", "castle.katagami")
+    run("oa", DATA / "castle.obj", "-o", "closed.katagami", "--size", "60x30x40", "--no-windows")
+    assert "windows" not in json.loads((HERE / "closed.katagami").read_text(encoding="utf-8"))["oa"]
+
+
+def test_wrong_options_are_usage():
+    mesh = DATA / "castle.obj"
+    for words in (["--size", "4x4"], ["--size", "0x4x4"], ["--size", "9000x4x4"],
+                  ["--up", "w"], ["--up", "y", "--front", "-y"], ["--smooth", "2"],
+                  ["--thin-top", "-1"], ["--windows", "--no-windows"], ["--cell", "0"]):
+        run("oa", mesh, "-o", "no.katagami", *words, expect=2)
+    run("oa", mesh, expect=2)
+    run("oa", HERE / "nothing.obj", "-o", "no.katagami", expect=1)
+    assert not os.path.exists(HERE / "no.katagami")
+
+
+sys.exit(script.run(globals()))
