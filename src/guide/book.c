@@ -72,7 +72,7 @@ static kg_vec2 size_of(PangoLayout *layout) {
 }
 
 double kg_book_text_height(const kg_book *paper, const kg_text *style, double width,
-                            const char *text) {
+                           const char *text) {
     PangoLayout *layout = layout_new(paper, style, width, text);
     double height = size_of(layout).y;
     g_object_unref(layout);
@@ -80,7 +80,7 @@ double kg_book_text_height(const kg_book *paper, const kg_text *style, double wi
 }
 
 double kg_book_text(kg_book *paper, const kg_text *style, double x, double y, double width,
-                     const char *text) {
+                    const char *text) {
     PangoLayout *layout = layout_new(paper, style, width, text);
     double height = size_of(layout).y;
     kg_book_colour(paper, style->colour);
@@ -98,7 +98,7 @@ double kg_book_text(kg_book *paper, const kg_text *style, double x, double y, do
 void kg_book_write(kg_book *paper, const kg_text *style, const char *text) {
     double width = kg_book_width(paper);
     kg_book_need(paper, kg_book_text_height(paper, style, width, text));
-    paper->y += kg_book_text(paper, style, KG_PAPER_MARGIN, paper->y, width, text);
+    paper->y += kg_book_text(paper, style, KG_BOOK_MARGIN, paper->y, width, text);
 }
 
 /* ---- pages ------------------------------------------------------------------------------ */
@@ -109,14 +109,14 @@ static cairo_status_t collect(void *bytes, const unsigned char *data, unsigned i
 }
 
 static bool has_font(const kg_book *paper) {
-    PangoLayout *layout = layout_new(paper, &(kg_text){.size = KG_PAPER_TEXT}, 0, "0");
+    PangoLayout *layout = layout_new(paper, &(kg_text){.size = KG_BOOK_TEXT}, 0, "0");
     bool found = pango_layout_get_unknown_glyphs_count(layout) == 0;
     g_object_unref(layout);
     return found;
 }
 
 kg_status kg_book_create(kg_vec2 size, const char *title, const char *footer, kg_book **out_paper,
-                          kg_error *error) {
+                         kg_error *error) {
     kg_book *paper = calloc(1, sizeof *paper);
     if (paper) {
         paper->texts = texts_create();
@@ -143,7 +143,7 @@ kg_status kg_book_create(kg_vec2 size, const char *title, const char *footer, kg
     cairo_set_line_join(paper->cr, CAIRO_LINE_JOIN_ROUND);
     paper->size = size;
     paper->page = 1;
-    paper->y = KG_PAPER_MARGIN;
+    paper->y = KG_BOOK_MARGIN;
     *out_paper = paper;
     return KG_OK;
 }
@@ -162,22 +162,22 @@ void kg_book_destroy(kg_book *paper) {
 static void show_page(kg_book *paper) {
     char number[32];
     snprintf(number, sizeof number, "%d", paper->page);
-    double y = paper->size.y - KG_PAPER_MARGIN + 2, width = kg_book_width(paper);
-    kg_text style = {KG_PAPER_SMALL, KG_FAINT_INK, KG_ALIGN_LEFT, 1};
-    kg_book_text(paper, &style, KG_PAPER_MARGIN, y, width - 20, paper->footer);
+    double y = paper->size.y - KG_BOOK_MARGIN + 2, width = kg_book_width(paper);
+    kg_text style = {KG_BOOK_SMALL, KG_FAINT_INK, KG_ALIGN_LEFT, 1};
+    kg_book_text(paper, &style, KG_BOOK_MARGIN, y, width - 20, paper->footer);
     style.align = KG_ALIGN_CENTRE;
-    kg_book_text(paper, &style, KG_PAPER_MARGIN + width - 20, y, 20, number);
+    kg_book_text(paper, &style, KG_BOOK_MARGIN + width - 20, y, 20, number);
     cairo_show_page(paper->cr);
 }
 
 void kg_book_turn(kg_book *paper) {
     show_page(paper);
     paper->page++;
-    paper->y = KG_PAPER_MARGIN;
+    paper->y = KG_BOOK_MARGIN;
 }
 
 void kg_book_need(kg_book *paper, double height) {
-    if (paper->y + height > kg_book_bottom(paper) && paper->y > KG_PAPER_MARGIN)
+    if (paper->y + height > kg_book_bottom(paper) && paper->y > KG_BOOK_MARGIN)
         kg_book_turn(paper);
 }
 
@@ -198,11 +198,11 @@ kg_status kg_book_finish(kg_book *paper, kg_error *error) {
 }
 
 double kg_book_width(const kg_book *paper) {
-    return paper->size.x - 2 * KG_PAPER_MARGIN;
+    return paper->size.x - 2 * KG_BOOK_MARGIN;
 }
 
 double kg_book_bottom(const kg_book *paper) {
-    return paper->size.y - KG_PAPER_MARGIN;
+    return paper->size.y - KG_BOOK_MARGIN;
 }
 
 /* ---- drawing ---------------------------------------------------------------------------- */
@@ -213,7 +213,7 @@ void kg_book_colour(kg_book *paper, uint32_t colour) {
 }
 
 kg_status kg_book_image(kg_book *paper, const kg_image *image, double x, double y, double width,
-                         kg_error *error) {
+                        kg_error *error) {
     cairo_surface_t *surface =
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, image->width, image->height);
     if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) {

@@ -9,13 +9,13 @@
 #include <cairo.h>
 
 /* Sizes of text, mm from line to line being about 1.35 times that. */
-#define KG_PAPER_TITLE 9.0
+#define KG_BOOK_TITLE 9.0
 #define KG_BOOK_HEADING 5.5
-#define KG_PAPER_TEXT 3.7
-#define KG_PAPER_SMALL 3.0
+#define KG_BOOK_TEXT 3.7
+#define KG_BOOK_SMALL 3.0
 
 /* Free at every side of a page, mm. */
-#define KG_PAPER_MARGIN 14.0
+#define KG_BOOK_MARGIN 14.0
 
 enum { KG_INK = 0x202428, KG_FAINT_INK = 0x69727a };
 
@@ -31,7 +31,7 @@ typedef struct kg_book {
 
 /* KG_ERR_SYSTEM: the machine has no font. `footer` stands on each page beside its number. */
 kg_status kg_book_create(kg_vec2 size, const char *title, const char *footer, kg_book **out_paper,
-                          kg_error *error) KG_CHECKED;
+                         kg_error *error) KG_CHECKED;
 void kg_book_destroy(kg_book *paper);
 
 /* Ends the page, with its number, and begins the next. */
@@ -58,18 +58,18 @@ typedef struct kg_text {
 
 /* Height of `text` wrapped to `width`, mm. */
 double kg_book_text_height(const kg_book *paper, const kg_text *style, double width,
-                            const char *text);
+                           const char *text);
 
 /* Writes text into the column whose upper left corner is (x, y); returns its height. */
 double kg_book_text(kg_book *paper, const kg_text *style, double x, double y, double width,
-                     const char *text);
+                    const char *text);
 
 /* Puts text under what is on the page, over its whole width, and moves on. */
 void kg_book_write(kg_book *paper, const kg_text *style, const char *text);
 
 /* A picture with its upper left corner at (x, y). Opaque pixels only. */
 kg_status kg_book_image(kg_book *paper, const kg_image *image, double x, double y, double width,
-                         kg_error *error) KG_CHECKED;
+                        kg_error *error) KG_CHECKED;
 
 void kg_book_colour(kg_book *paper, uint32_t colour);
 

@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const kg_text title_text = {KG_PAPER_TITLE, KG_INK, KG_ALIGN_LEFT, 3};
+static const kg_text title_text = {KG_BOOK_TITLE, KG_INK, KG_ALIGN_LEFT, 3};
 static const kg_text heading = {KG_BOOK_HEADING, KG_INK, KG_ALIGN_LEFT, 0};
-static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
-static const kg_text faint = {KG_PAPER_TEXT, KG_FAINT_INK, KG_ALIGN_LEFT, 0};
-static const kg_text entry = {KG_PAPER_SMALL, KG_INK, KG_ALIGN_LEFT, 2};
+static const kg_text plain = {KG_BOOK_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
+static const kg_text faint = {KG_BOOK_TEXT, KG_FAINT_INK, KG_ALIGN_LEFT, 0};
+static const kg_text entry = {KG_BOOK_SMALL, KG_INK, KG_ALIGN_LEFT, 2};
 
 /* ---- cover ------------------------------------------------------------------------------ */
 
@@ -52,7 +52,7 @@ static kg_status add_cover(kg_guide *g, kg_error *error) {
     memset(roles, KG_ROLE_STANDING, g->net->part_count + 1);
     bool titled = g->net->title && g->net->title[0];
     kg_book_write(paper, &title_text,
-                   titled ? g->net->title : kg_words(text, sizeof text, KG_WORD_UNTITLED));
+                  titled ? g->net->title : kg_words(text, sizeof text, KG_WORD_UNTITLED));
     kg_book_write(paper, &faint, kg_words(text, sizeof text, KG_WORD_GUIDE));
     paper->y += 6;
 
@@ -61,15 +61,15 @@ static kg_status add_cover(kg_guide *g, kg_error *error) {
     kg_camera camera = kg_camera_default();
     kg_camera_fit(&camera, g->assembly->box, size.x / size.y);
     kg_status status = kg_guide_picture(g, &view, KG_LOOK_COLORS, &camera,
-                                        kg_v2(KG_PAPER_MARGIN, paper->y), size, error);
+                                        kg_v2(KG_BOOK_MARGIN, paper->y), size, error);
     free(roles);
     paper->y += size.y + 6;
     kg_vec3 extent = kg_scale(kg_sub(g->assembly->box.hi, g->assembly->box.lo), g->layout->scale);
     kg_book_write(paper, &plain,
-                   kg_words(text, sizeof text, KG_WORD_SIZE, extent.x, extent.y, extent.z));
+                  kg_words(text, sizeof text, KG_WORD_SIZE, extent.x, extent.y, extent.z));
     kg_book_write(paper, &plain,
-                   kg_words(text, sizeof text, KG_WORD_COUNTS, (int)g->net->part_count,
-                            (int)g->layout->page_count, (int)g->net->join_count));
+                  kg_words(text, sizeof text, KG_WORD_COUNTS, (int)g->net->part_count,
+                           (int)g->layout->page_count, (int)g->net->join_count));
     print_work(g, text, sizeof text);
     kg_book_write(paper, &plain, text);
     return status;
@@ -166,7 +166,7 @@ static void add_parts(kg_guide *g) {
         size_t column = i % COLUMNS;
         if (column == 0)
             kg_book_need(paper, CELL_HEIGHT);
-        double x = KG_PAPER_MARGIN + (double)column * width;
+        double x = KG_BOOK_MARGIN + (double)column * width;
         thumbnail t = thumbnail_of(g, i);
         kg_vec2 extent = extent_of(&t);
         double own = fmin(fmax(scale, LEAST_DRAWN / fmax(extent.x, extent.y)),
@@ -234,7 +234,7 @@ static const legend_row legend[] = {
 static void add_legend(kg_guide *g) {
     char text[KG_SENTENCE];
     kg_book *paper = g->paper;
-    double x = KG_PAPER_MARGIN, column = x + SAMPLE_WIDTH + 6,
+    double x = KG_BOOK_MARGIN, column = x + SAMPLE_WIDTH + 6,
            width = kg_book_width(paper) - SAMPLE_WIDTH - 6;
     kg_book_need(paper, 95);
     paper->y += 4;

@@ -7,7 +7,7 @@
 #include <string.h>
 
 static const kg_text heading = {KG_BOOK_HEADING, KG_INK, KG_ALIGN_LEFT, 1};
-static const kg_text plain = {KG_PAPER_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
+static const kg_text plain = {KG_BOOK_TEXT, KG_INK, KG_ALIGN_LEFT, 0};
 
 /* Sizes of pictures, mm: how the part is glued, and what stands afterwards. */
 #define PICTURE_HEIGHT 83.0
@@ -181,7 +181,7 @@ static kg_status add_pictures(walk *w, const kg_guide_step *step, kg_error *erro
     kg_guide *g = w->guide;
     kg_book *paper = g->paper;
     double width = kg_book_width(paper);
-    kg_vec2 at = kg_v2(KG_PAPER_MARGIN, paper->y);
+    kg_vec2 at = kg_v2(KG_BOOK_MARGIN, paper->y);
     kg_vec2 size = kg_v2(LEFT_SHARE * width - 2, PICTURE_HEIGHT);
     kg_sight *sight;
     set_role(w, step, KG_ROLE_ABSENT);
@@ -239,17 +239,17 @@ static kg_status add_step(walk *w, size_t index, rows *text, kg_error *error) {
     double height = KG_BOOK_HEADING * 1.4 + HEADING_GAP + PICTURE_HEIGHT + 1;
     for (size_t i = 0; i < text->count; i++)
         height += row_height(paper, &text->items[i]);
-    kg_book_need(paper, fmin(height, kg_book_bottom(paper) - KG_PAPER_MARGIN));
+    kg_book_need(paper, fmin(height, kg_book_bottom(paper) - KG_BOOK_MARGIN));
     kg_book_write(paper, &heading, title);
     paper->y += HEADING_GAP;
     kg_status status = add_pictures(w, step, error);
     paper->y += PICTURE_HEIGHT + 1;
     for (size_t i = 0; i < text->count; i++) {
         const row *r = &text->items[i];
-        double wide = row_width(paper, r), x = KG_PAPER_MARGIN + kg_book_width(paper) - wide;
+        double wide = row_width(paper, r), x = KG_BOOK_MARGIN + kg_book_width(paper) - wide;
         kg_book_need(paper, row_height(paper, r));
         if (r->number > 0)
-            kg_book_join_badge(paper, KG_PAPER_MARGIN + 4, paper->y + 2.6, r->number);
+            kg_book_join_badge(paper, KG_BOOK_MARGIN + 4, paper->y + 2.6, r->number);
         kg_book_text(paper, &plain, x, paper->y, wide, r->text);
         paper->y += row_height(paper, r);
     }
