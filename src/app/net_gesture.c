@@ -11,7 +11,7 @@
 
 static const double ZOOM_STEP = 1.15, LEAST_ZOOM = 0.05, MOST_ZOOM = 200;
 
-enum { HANDLE_NEAR = 10 }; /* layout units */
+enum { HANDLE_NEAR = 10, DIVIDER = 5 }; /* layout units */
 
 static const kg_net_part *part_of(const kg_net_view *v, int part) {
     return &kg_net_state_picture(v->state)->net.net->parts[part];
@@ -113,9 +113,27 @@ static void give_up(kg_net_view *v) {
     v->gesture = KG_NET_IDLE;
 }
 
+/* ---- the divider ------------------------------------------------------------------------- */
+
+static bool is_on_divider(const kg_net_view *v, kg_vec2 px) {
+    return px.x < v->area.x + DIVIDER * v->scale;
+}
+
+static void divide(const kg_net_view *v, kg_editor *e, kg_vec2 px) {
+    double left = e->pane.area.x, right = v->area.x + v->area.width;
+    e->settings.net_share = fmin(fmax((right - px.x) / (right - left), 0.2), 0.8);
+}
+
+static void keep_settings(kg_editor *e) {
+    kg_error error;
+    if (kg_settings_write(&e->settings, &error))
+        kg_editor_say(e, KG_WARNING, "%s", error.message);
+}
+
 /* ---- events ----------------------------------------------------------------------------- */
 
 static void hover(kg_net_view *v, kg_editor *e, kg_vec2 px) {
+    v->on_divider = is_on_divider(v, px);
     v->hover_join = kg_net_view_join_at(v, px);
     v->hover_part = kg_net_view_part_at(v, px);
     e->hover_point = (kg_point_ref){0};
@@ -126,8 +144,9 @@ static void press(kg_net_view *v, const kg_event *event) {
     kg_vec2 center, handle;
     v->button = event->button;
     v->pressed = v->last = event->position;
-    v->gesture = KG_NET_PRESSED;
-    if (event->button == KG_MOUSE_LEFT && kg_net_view_handle(v, &center, &handle) &&
+    v->gesture = is_on_divider(v, event->position) ? KG_NET_DIVIDING : KG_NET_PRESSED;
+    if (v->gesture == KG_NET_PRESSED && event->button == KG_MOUSE_LEFT &&
+        kg_net_view_handle(v, &center, &handle) &&
         kg_dist2(handle, event->position) < HANDLE_NEAR * v->scale)
         begin(v, KG_NET_TURNING, v->active_part);
 }
@@ -161,6 +180,9 @@ static void move(kg_net_view *v, kg_editor *e, const kg_event *event) {
         v->last = event->position;
         turn_part(v, event);
         break;
+    case KG_NET_DIVIDING:
+        divide(v, e, event->position);
+        break;
     }
     v->last = event->position;
 }
@@ -189,6 +211,8 @@ static void release(kg_net_view *v, kg_editor *e, const kg_event *event) {
         click(v, e, event);
     else if (gesture == KG_NET_MOVING || gesture == KG_NET_TURNING)
         drop(v, e);
+    else if (gesture == KG_NET_DIVIDING)
+        keep_settings(e);
 }
 
 static void zoom(kg_net_view *v, const kg_event *event) {
@@ -220,6 +244,7 @@ bool kg_net_view_event(kg_net_view *v, kg_editor *e, const kg_event *event) {
     case KG_EVENT_MOVE:
         if (!over) {
             v->hover_part = v->hover_join = -1;
+            v->on_divider = false;
             v->last = event->position;
             return false;
         }

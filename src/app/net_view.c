@@ -65,8 +65,10 @@ bool kg_net_view_follow(kg_net_view *v, const kg_editor *e, kg_area area, double
             v->active_part = find_again(p->net.net, source, piece);
     }
     p = picture_of(v);
-    bool other = area_changed || (p && v->fitted_pages != p->layout->page_count);
-    if (v->fitted && p && other && v->gesture == KG_NET_IDLE)
+    bool other = area_changed || (p && (v->fitted_pages != p->layout->page_count ||
+                                        kg_dist2(v->fitted_size, p->layout->page_size) > 0));
+    bool still = v->gesture == KG_NET_IDLE || v->gesture == KG_NET_DIVIDING;
+    if (v->fitted && p && other && still)
         kg_net_view_fit(v);
     return is_new;
 }
@@ -180,7 +182,7 @@ void kg_net_view_fit(kg_net_view *v) {
     int pages = (int)p->layout->page_count;
     v->fitted = true;
     v->fitted_pages = p->layout->page_count;
-    kg_vec2 size = p->layout->page_size;
+    kg_vec2 size = v->fitted_size = p->layout->page_size;
     double margin = FIT_MARGIN * v->scale, best = 0;
     for (int columns = 1; columns <= pages; columns++) {
         int rows = (pages + columns - 1) / columns;

@@ -17,23 +17,26 @@ typedef enum kg_net_gesture {
     KG_NET_PRESSED,
     KG_NET_PANNING,
     KG_NET_MOVING, /* a part */
-    KG_NET_TURNING
+    KG_NET_TURNING,
+    KG_NET_DIVIDING /* the width between the model and the net */
 } kg_net_gesture;
 
 typedef struct kg_net_view {
     kg_net_state *state;
-    kg_area area; /* pixels; empty: not shown */
-    double scale; /* pixels per layout unit */
-    double zoom;  /* pixels per mm */
-    kg_vec2 pan;  /* pixel of the board's origin */
-    int columns;  /* of pages */
-    bool fitted;  /* all pages are shown, and will be when there are others */
-    size_t fitted_pages;
+    kg_area area;        /* pixels; empty: not shown */
+    double scale;        /* pixels per layout unit */
+    double zoom;         /* pixels per mm */
+    kg_vec2 pan;         /* pixel of the board's origin */
+    int columns;         /* of pages */
+    bool fitted;         /* all pages are shown, and will be when there are others */
+    size_t fitted_pages; /* these and of this size */
+    kg_vec2 fitted_size;
     uint64_t revision; /* of the picture that the indices below are about */
 
     int hover_part, hover_join, active_part; /* -1: none. The active one shows its handle. */
     kg_net_gesture gesture;
-    bool foreign; /* a button is held that was pressed elsewhere */
+    bool on_divider; /* the pointer is over it */
+    bool foreign;    /* a button is held that was pressed elsewhere */
     int button;
     kg_vec2 pressed, last;
     int moved_part; /* -1: none; lies at `moved` until the next picture */

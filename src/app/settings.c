@@ -12,6 +12,7 @@ void kg_settings_default(kg_settings *s) {
     *s = (kg_settings){.scale = 1,
                        .autosave_minutes = 2,
                        .net_view = true,
+                       .net_share = 0.46,
                        .lift = 0,
                        .step = 1,
                        .export = {.format = "svg", .dash = 2, .gap = 0.5, .width = 1600}};
@@ -120,6 +121,7 @@ void kg_settings_read(kg_settings *s) {
     read_number(root, "lift", -1e3, 1e3, &s->lift);
     read_number(root, "step", 1e-3, 1e3, &s->step);
     read_bool(root, "net_view", &s->net_view);
+    read_number(root, "net_share", 0.2, 0.8, &s->net_share);
     read_export(json_object_get(root, "export"), &s->export);
     const json_t *recent = json_object_get(root, "recent");
     for (size_t i = json_array_size(recent); i-- > 0;)
@@ -138,11 +140,11 @@ kg_status kg_settings_write(const kg_settings *s, kg_error *error) {
     for (int i = 0; i < KG_RECENT_COUNT && s->recent[i]; i++)
         json_array_append_new(recent, json_string(s->recent[i]));
     json_t *root =
-        json_pack("{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:b, s:o, s:o}", "language", s->language,
+        json_pack("{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:b, s:f, s:o, s:o}", "language", s->language,
                   "navigation", s->navigation == KG_NAVIGATION_BLENDER ? "blender" : "default",
                   "theme", s->theme == KG_UI_LIGHT ? "light" : "dark", "scale", s->scale,
                   "autosave_minutes", s->autosave_minutes, "lift", s->lift, "step", s->step,
-                  "net_view", s->net_view, "export", write_export(&s->export), "recent", recent);
+                  "net_view", s->net_view, "net_share", s->net_share, "export", write_export(&s->export), "recent", recent);
     char *text = root ? kg_json_text(root) : NULL;
     kg_status status = text ? kg_file_write(path, text, strlen(text), error)
                             : kg_fail(error, KG_ERR_MEMORY, "out of memory");

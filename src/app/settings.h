@@ -23,6 +23,7 @@ typedef struct kg_settings {
     double scale;            /* of the whole user interface, 1 is normal */
     double autosave_minutes; /* 0: never */
     bool net_view;           /* beside the model */
+    double net_share;        /* of the width that both have, 0.2 to 0.8 */
     kg_export_choice export;
     double lift;                   /* mm, how far new patches lie off the reference */
     double step;                   /* mm, to which Ctrl rounds movements */

@@ -84,9 +84,12 @@ static void end_line(const pen *p, const kg_stroke *stroke, bool closed, kg_colo
     double width = fmax(drawing->styles[stroke->layer].width * p->view->zoom, p->view->scale);
     const double *dashes;
     int count = stroke->dashed ? kg_layer_dashes(stroke->layer, &dashes) : 0;
-    if (p->fill)
+    if (p->fill) {
+        kg_color soft = color; /* rows alone have jagged rims */
+        soft.a *= 0.5F;
         kg_fill_add(p->fill, p->line);
-    else if (p->line->count > 1 && count > 0)
+        kg_ui_canvas_polyline(p->line->items, p->line->count, true, soft, p->view->scale);
+    } else if (p->line->count > 1 && count > 0)
         draw_dashed(p->line, dashes, count,
                     fmax(p->view->zoom, LEAST_DASH * p->view->scale / dashes[0]), color, width);
     else if (p->line->count > 1)

@@ -12,9 +12,6 @@
 /* Layout units. */
 enum { HEADER_HEIGHT = 34, ROW_HEIGHT = 24, MOST_ROWS = 5, LEAST_WIDTH = 400 };
 
-/* Of the width of the 3D view, what the net takes. */
-#define SHARE 0.46
-
 static const kg_color red = {0.95F, 0.4F, 0.3F, 1}, amber = {0.9F, 0.65F, 0.15F, 1};
 
 static const char *part_name(const kg_net_part *part, char out[], size_t size) {
@@ -288,6 +285,12 @@ static void show(kg_app *app, kg_area area) {
                               ? _("The net is being made.")
                               : _("The parts of the model will lie here."));
     }
+    if (v->on_divider || v->gesture == KG_NET_DIVIDING) {
+        kg_ui_canvas(KG_CANVAS_BEHIND);
+        kg_ui_canvas_rect((kg_area){area.x, area.y, 4 * s, area.height},
+                          (kg_color){0.25F, 0.5F, 0.8F, 1}, 0);
+    }
+    kg_ui_name("divider", (kg_area){area.x, pages.y + pages.height / 2, 2, 2});
     show_header(app, (kg_area){area.x, area.y, area.width, header});
     show_progress(v, pages);
     if (rows > 0)
@@ -301,7 +304,7 @@ void kg_panel_net(kg_app *app) {
     kg_area *pane = &e->pane.area, net = *pane;
     bool shown = e->settings.net_view && pane->width > LEAST_WIDTH * e->pane.scale;
     if (shown) {
-        net.width = floor(SHARE * pane->width);
+        net.width = floor(e->settings.net_share * pane->width);
         pane->width -= net.width;
         net.x += pane->width;
         show(app, net);
