@@ -32,21 +32,35 @@ kg_status kg_regions_add(kg_regions *regions, kg_region region) {
     return KG_OK;
 }
 
+static kg_status append(kg_points *points, const kg_points *more) {
+    for (size_t i = 0; i < more->count; i++)
+        if (!kg_push(points, more->items[i]))
+            return KG_ERR_MEMORY;
+    return KG_OK;
+}
+
 kg_status kg_regions_rectangle(const kg_patch *patch, double tolerance, kg_regions *out_regions,
                                kg_error *error) {
     double lo = patch->extent[0], hi = patch->extent[1];
     const kg_vec2 corner[5] = {{lo, 0}, {hi, 0}, {hi, 1}, {lo, 1}, {lo, 0}};
     static const int64_t side[4] = {2, 1, 3, 0};
-    kg_points points = {0};
+    kg_points points = {0}, sides[2] = {{0}, {0}};
     kg_region region = {.loop_count = 1, .loops = calloc(1, sizeof *region.loops)};
     kg_region_edge *edges = calloc(4, sizeof *edges);
     kg_cross_point *ends = calloc(4, sizeof *ends);
     kg_status status = region.loops && edges && ends ? KG_OK : KG_ERR_MEMORY;
+    if (!status)
+        status = kg_sample_sides(patch, tolerance, sides);
     for (size_t i = 0; i < 4 && !status; i++) {
         size_t first = points.count;
-        status = kg_sample_straight(patch, corner[i], corner[i + 1], tolerance, &points);
+        if (i % 2 == 0)
+            status = kg_sample_straight(patch, corner[i], corner[i + 1], tolerance, &points);
+        else
+            status = append(&points, &sides[i == 1]);
         edges[i] = (kg_region_edge){KG_EDGE_OUTLINE, side[i], first, points.count - first};
     }
+    free(sides[0].items);
+    free(sides[1].items);
     if (status) {
         free(region.loops);
         free(edges);
@@ -167,8 +181,8 @@ kg_status kg_region_chains(const kg_region *region, kg_patch_finder finder, kg_c
                               .source = e->source,
                               .labels = KG_LABEL_REGION,
                               /* a cutter that crosses itself may come back elsewhere on itself */
-                              .closed = loop->edge_count == 1 && start.s == end->s &&
-                                        start.t == end->t,
+                              .closed =
+                                  loop->edge_count == 1 && start.s == end->s && start.t == end->t,
                               .count = e->count + 1};
             if (e->kind == KG_EDGE_CUT)
                 chain.other = finder.find(finder.user, e->source);

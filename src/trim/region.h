@@ -13,6 +13,11 @@ typedef struct kg_points {
 kg_status kg_sample_straight(const kg_patch *patch, kg_vec2 a, kg_vec2 b, double tolerance,
                              kg_points *points) KG_CHECKED;
 
+/* The same of both u sides of a patch in the order of its outline: the low one from v = 1 down, the
+ * high one from v = 0 up. They share their rulings, which cost the most. Fills empty lists, which
+ * are the caller's also on failure. */
+kg_status kg_sample_sides(const kg_patch *patch, double tolerance, kg_points points[2]) KG_CHECKED;
+
 /* The region of one face of an arrangement. */
 kg_status kg_region_from_face(const kg_arrangement *a, size_t face,
                               kg_region *out_region) KG_CHECKED;
@@ -26,7 +31,8 @@ void kg_region_clear(kg_region *region);
 /* Takes over `region`, also on failure. */
 kg_status kg_regions_add(kg_regions *regions, kg_region region) KG_CHECKED;
 
-/* Adds the faces of what was left before that `wanted` (NULL: all) accepts; slivers are left out. */
+/* Adds the faces of what was left before that `wanted` (NULL: all) accepts; slivers are left out.
+ */
 typedef bool (*kg_face_filter)(const kg_arrangement *a, size_t face, const void *user);
 kg_status kg_regions_from_faces(const kg_arrangement *a, kg_face_filter wanted, const void *user,
                                 kg_regions *regions) KG_CHECKED;

@@ -20,17 +20,32 @@ typedef struct sampler {
     kg_points *points;
 } sampler;
 
-static sample sample_at(const sampler *s, double f) {
-    sample r = {.uv = kg_v2(s->from.x + f * s->along.x, s->from.y + f * s->along.y)};
-    double u = r.uv.x, du = s->along.x, dv = s->along.y;
-    kg_ruling g = kg_patch_ruling(s->patch, r.uv.y);
-    r.x = kg_madd(g.p, u, g.d);
-    r.dx = kg_madd(kg_scale(g.d, du), dv, kg_madd(g.dp, u, g.dd));
-    r.paper = kg_v2(u * g.sin_theta, u * g.cos_theta + kg_patch_length(s->patch, r.uv.y));
-    double turn = u * g.dtheta * dv;
-    r.dpaper = kg_v2(du * g.sin_theta + turn * g.cos_theta,
-                     du * g.cos_theta - turn * g.sin_theta + g.speed * dv);
+/* What all points of one ruling share. */
+typedef struct row {
+    kg_ruling g;
+    double length;
+} row;
+
+static row row_at(const kg_patch *patch, double v) {
+    return (row){kg_patch_ruling(patch, v), kg_patch_length(patch, v)};
+}
+
+static sample sample_on(const row *on, double u, kg_vec2 along) {
+    const kg_ruling *g = &on->g;
+    sample r = {.uv = kg_v2(u, g->v)};
+    double du = along.x, dv = along.y;
+    r.x = kg_madd(g->p, u, g->d);
+    r.dx = kg_madd(kg_scale(g->d, du), dv, kg_madd(g->dp, u, g->dd));
+    r.paper = kg_v2(u * g->sin_theta, u * g->cos_theta + on->length);
+    double turn = u * g->dtheta * dv;
+    r.dpaper = kg_v2(du * g->sin_theta + turn * g->cos_theta,
+                     du * g->cos_theta - turn * g->sin_theta + g->speed * dv);
     return r;
+}
+
+static sample sample_at(const sampler *s, double f) {
+    row on = row_at(s->patch, s->from.y + f * s->along.y);
+    return sample_on(&on, s->from.x + f * s->along.x, s->along);
 }
 
 /* Height of the cubic with these end slopes over its chord: an S-bend may cross the chord halfway,
@@ -53,17 +68,24 @@ static double paper_gap(const sample *a, const sample *m, const sample *b, doubl
     return fmax(bend, kg_dist2(m->paper, kg_lerp2(a->paper, b->paper, 0.5)));
 }
 
+static bool is_good(const sample *a, const sample *m, const sample *b, double step, int depth,
+                    double tolerance) {
+    return depth >= MAX_DEPTH ||
+           (depth >= FIRST_DEPTH &&
+            fmax(space_gap(a, m, b, step), paper_gap(a, m, b, step)) <= tolerance);
+}
+
+static bool push(kg_points *points, const sample *s) {
+    return kg_push(points, ((kg_cross_point){.u = s->uv.x, .v = s->uv.y, .x = s->x}));
+}
+
 /* Points of [lo, hi) where a and b are its ends. */
 static kg_status halve(const sampler *s, double lo, double hi, const sample *a, const sample *b,
                        int depth) {
     double middle = 0.5 * (lo + hi), step = hi - lo;
     sample m = sample_at(s, middle);
-    if (depth >= MAX_DEPTH ||
-        (depth >= FIRST_DEPTH &&
-         fmax(space_gap(a, &m, b, step), paper_gap(a, &m, b, step)) <= s->tolerance)) {
-        kg_cross_point p = {.u = a->uv.x, .v = a->uv.y, .x = a->x};
-        return kg_push(s->points, p) ? KG_OK : KG_ERR_MEMORY;
-    }
+    if (is_good(a, &m, b, step, depth, s->tolerance))
+        return push(s->points, a) ? KG_OK : KG_ERR_MEMORY;
     kg_status status = halve(s, lo, middle, a, &m, depth + 1);
     return status ? status : halve(s, middle, hi, &m, b, depth + 1);
 }
@@ -73,9 +95,56 @@ kg_status kg_sample_straight(const kg_patch *patch, kg_vec2 a, kg_vec2 b, double
     sampler s = {patch, a, kg_sub2(b, a), tolerance, points};
     sample from = sample_at(&s, 0), to = sample_at(&s, 1);
     /* along a ruling the segment is straight everywhere */
-    if (a.y == b.y) {
-        kg_cross_point p = {.u = a.x, .v = a.y, .x = from.x};
-        return kg_push(points, p) ? KG_OK : KG_ERR_MEMORY;
-    }
+    if (a.y == b.y)
+        return push(points, &from) ? KG_OK : KG_ERR_MEMORY;
     return halve(&s, 0, 1, &from, &to, 0);
+}
+
+/* ---- both sides of a patch ---------------------------------------------------------------- */
+
+typedef struct sides {
+    const kg_patch *patch;
+    double tolerance;
+    kg_points *points;
+} sides;
+
+static void sides_at(const sides *s, double v, sample out[2]) {
+    row on = row_at(s->patch, v);
+    for (int k = 0; k < 2; k++)
+        out[k] = sample_on(&on, s->patch->extent[k], kg_v2(0, 1));
+}
+
+/* As `halve` for both sides at once, those in `open`: points of (lo, hi] of the low side and of
+ * [lo, hi) of the high one. */
+static kg_status halve_sides(const sides *s, double lo, double hi, const sample a[2],
+                             const sample b[2], const bool open[2], int depth) {
+    double middle = 0.5 * (lo + hi);
+    sample m[2];
+    bool rest[2] = {false, false};
+    sides_at(s, middle, m);
+    for (int k = 0; k < 2; k++)
+        if (open[k]) {
+            rest[k] = !is_good(&a[k], &m[k], &b[k], hi - lo, depth, s->tolerance);
+            if (!rest[k] && !push(&s->points[k], k ? &a[k] : &b[k]))
+                return KG_ERR_MEMORY;
+        }
+    if (!rest[0] && !rest[1])
+        return KG_OK;
+    kg_status status = halve_sides(s, lo, middle, a, m, rest, depth + 1);
+    return status ? status : halve_sides(s, middle, hi, m, b, rest, depth + 1);
+}
+
+kg_status kg_sample_sides(const kg_patch *patch, double tolerance, kg_points points[2]) {
+    sides s = {patch, tolerance, points};
+    sample from[2], to[2];
+    sides_at(&s, 0, from);
+    sides_at(&s, 1, to);
+    kg_status status = halve_sides(&s, 0, 1, from, to, (const bool[2]){true, true}, 0);
+    kg_cross_point *low = points[0].items;
+    for (size_t i = 0, j = points[0].count; i + 1 < j; i++) {
+        kg_cross_point swap = low[--j];
+        low[j] = low[i];
+        low[i] = swap;
+    }
+    return status;
 }
