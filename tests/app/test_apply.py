@@ -65,6 +65,14 @@ def test_what_is_no_list_is_refused():
     assert code == 1 and "list" in said, said
 
 
+def test_hundreds_of_steps_survive_in_the_file():
+    step = {"command": "point.move", "patch": 1, "point": 0, "by": [0, 0, 0.01]}
+    code, model = apply([{"command": "patch.add", "points": STRIP}] + [step] * 250)
+    assert code == 0 and len(model["history"]["undo"]) == 251, model
+    code, model = apply([step], model)
+    assert code == 0 and len(model["history"]["undo"]) == 252, model
+
+
 def test_mirroring_twice_gives_the_patch_back():
     code, model = apply([{"command": "patch.add", "points": FIN, "extent": [-40, 30]},
                          {"command": "patch.mirror", "normal": [1, 0, 0]},

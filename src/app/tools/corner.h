@@ -15,6 +15,10 @@ kg_corner kg_corner_under(const kg_editor *editor, kg_vec2 px);
 /* Within a step. The corner goes where the line of sight meets the patch's rectangle; where it
  * misses it stays. */
 void kg_corner_move(kg_editor *editor, kg_corner corner, kg_vec2 px);
+/* Adds a corner to the edge of a contour that lies under a pixel; patch 0: there is none. */
+kg_corner kg_corner_insert(kg_editor *editor, kg_vec2 px);
+/* Removes a corner; of a triangle's none can be spared. */
+void kg_corner_remove(kg_editor *editor, kg_corner corner);
 void kg_corners_draw(const kg_editor *editor, kg_overlay *overlay);
 
 #endif

@@ -131,6 +131,8 @@ static void press(kg_editor *e, state *s, const kg_event *event) {
     hover(e, event->position);
     s->on_patch = e->hover_patch != 0;
     s->corner = e->hover_point.patch ? (kg_corner){0} : kg_corner_under(e, event->position);
+    if (!s->corner.patch && !e->hover_point.patch && event->mods & KG_MOD_CTRL)
+        s->corner = kg_corner_insert(e, event->position);
     if (s->corner.patch) {
         if (kg_editor_begin(e, N_("Move corner"), &error))
             kg_editor_say(e, KG_FAULT, "%s", error.message);
@@ -226,6 +228,11 @@ static bool on_event(kg_editor *e, const kg_event *event) {
         release(e, s, event);
         return true;
     case KG_EVENT_KEY:
+        if (event->key == KG_KEY_DELETE && s->gesture == IDLE &&
+            kg_corner_under(e, e->pointer).patch) {
+            kg_corner_remove(e, kg_corner_under(e, e->pointer));
+            return true;
+        }
         if (event->key == KG_KEY_ESCAPE && s->gesture == IDLE && !e->message[0]) {
             kg_editor_select_none(e);
             return true;
@@ -263,6 +270,9 @@ static const char *hint_now(const kg_editor *e) {
                  "fine   Esc: back");
     if (kg_editor_model(e)->patch_count == 0)
         return _("A: place a patch by four clicks   File › Reference…: a mesh to sculpt over");
+    if (kg_corner_under(e, e->pointer).patch)
+        return _("Drag the corner of the contour   Del: remove it   Ctrl+click on an edge: one "
+                 "more");
     if (e->selection.patches.count > 1)
         return _(
             "T: the red patch is trimmed by the blue one   Shift+T: trim inside   Shift+click: "
