@@ -17,9 +17,7 @@ kg_status kg_export_net(kg_document *document, const kg_net_options *options, do
     kg_document_net net;
     const kg_model *model = kg_document_model(document);
     kg_parts_options parts = kg_net_settings_parts(model ? &model->net : NULL, options, tab_width);
-    /* chords a tenth of the tolerance at the written size, tabs of the wished width there */
-    double chord = fmin(KG_NET_CHORD, 0.1 * options->tolerance / options->scale);
-    kg_status status = kg_document_solve(document, chord, error);
+    kg_status status = kg_document_solve(document, kg_net_settings_chord(options), error);
     if (!status)
         status = kg_document_unroll_to_fit(document, &parts, &net, error);
     if (status)

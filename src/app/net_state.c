@@ -115,8 +115,7 @@ static kg_status make(job *j, kg_net_picture *p, kg_error *error) {
     kg_status status = kg_document_net_options(j->document, &p->options, &tab_width, error);
     if (status)
         return status;
-    double chord = j->rough ? KG_EDITOR_CHORD
-                            : fmin(KG_NET_CHORD, 0.1 * p->options.tolerance / p->options.scale);
+    double chord = j->rough ? KG_EDITOR_CHORD : kg_net_settings_chord(&p->options);
     p->rough = j->rough;
     if (!(status = kg_document_solve(j->document, chord, error)))
         status = unroll(j->document, &p->options, tab_width, &p->net, error);

@@ -160,8 +160,7 @@ static kg_status write_files(const kg_document *document, const kg_document_net 
 static kg_status write_net(kg_document *document, const kg_net_options *settings,
                            const kg_parts_options *parts, const outputs *out, kg_error *error) {
     kg_document_net net = {0};
-    /* chords a fifth of the tolerance at the written size, tabs of the wished width there */
-    double chord = fmin(KG_NET_CHORD, 0.2 * settings->tolerance / settings->scale);
+    double chord = kg_net_settings_chord(settings);
     kg_status status = KG_OK;
     if (out->guide && kg_document_oa(document))
         status = kg_fail(error, KG_ERR_INPUT,

@@ -94,6 +94,10 @@ kg_parts_options kg_net_settings_parts(const kg_model_net *net, const kg_net_opt
     return parts;
 }
 
+double kg_net_settings_chord(const kg_net_options *options) {
+    return fmin(KG_NET_CHORD, 0.2 * options->tolerance / options->scale);
+}
+
 kg_status kg_net_settings_set(kg_model_net *net, const char *key, json_t *value, kg_error *error) {
     /* models share their objects, so that one is never changed in place */
     json_t *copy = net->json ? json_copy(net->json) : json_object();

@@ -19,6 +19,10 @@ kg_status kg_net_settings_read(const kg_model_net *net, kg_net_options *out_opti
 kg_parts_options kg_net_settings_parts(const kg_model_net *net, const kg_net_options *options,
                                        double tab_width);
 
+/* Chord error to solve with before the net is drawn: a fifth of the tolerance at the written size,
+ * mm. */
+double kg_net_settings_chord(const kg_net_options *options);
+
 /* Sets a key of the "net" object, or removes it (`value` NULL); takes over `value`, also on
  * failure. KG_ERR_MEMORY. */
 kg_status kg_net_settings_set(kg_model_net *net, const char *key, struct json_t *value,

@@ -49,19 +49,27 @@ static void show_progress(kg_net_view *v, kg_area pages) {
     kg_ui_panel_end();
 }
 
+/* As much as there is room for. */
+static void describe(const kg_net_picture *p, double room, char *out, size_t size) {
+    snprintf(out, size, "%s", _("Net"));
+    if (!p)
+        return;
+    snprintf(out, size, _("Parts: %zu   Pages: %zu   Filled: %.0f %%"), p->net.net->part_count,
+             p->layout->page_count, 100 * p->layout->fill);
+    if (kg_ui_text_width(out) > room)
+        snprintf(out, size, _("Parts: %zu   Pages: %zu"), p->net.net->part_count,
+                 p->layout->page_count);
+}
+
 static void show_header(kg_app *app, kg_area area) {
     kg_net_view *v = &app->net_view;
     const kg_net_picture *p = kg_net_state_picture(v->state);
     char text[128];
-    kg_ui_panel_begin("net header", NULL, area, KG_PANEL_PLAIN | KG_PANEL_NO_SCROLL);
-    if (p)
-        snprintf(text, sizeof text, _("Parts: %zu   Pages: %zu   Filled: %.0f %%"),
-                 p->net.net->part_count, p->layout->page_count, 100 * p->layout->fill);
-    else
-        snprintf(text, sizeof text, "%s", _("Net"));
-    kg_ui_text(text);
     double width = kg_ui_text_width(_("Fit")) + kg_ui_text_width(_("Settings")) +
                    kg_ui_text_width(_("Export…")) + 64;
+    kg_ui_panel_begin("net header", NULL, area, KG_PANEL_PLAIN | KG_PANEL_NO_SCROLL);
+    describe(p, kg_ui_available() - width, text, sizeof text);
+    kg_ui_text(text);
     kg_ui_right(width);
     if (kg_ui_button(_("Fit")))
         kg_net_view_fit(v);
