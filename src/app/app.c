@@ -79,6 +79,10 @@ static void serve_request(kg_app *app) {
     case KG_REQUEST_RENAME:
         app->dialogs.open_rename = true;
         break;
+    case KG_REQUEST_ERROR:
+        snprintf(app->dialogs.error, sizeof app->dialogs.error, "%s", app->editor.message);
+        app->dialogs.open_error = true;
+        break;
     case KG_REQUEST_MENU:
         app->dialogs.open_menu = true;
         break;

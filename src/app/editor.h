@@ -54,7 +54,8 @@ typedef enum kg_request {
     KG_REQUEST_HELP,
     KG_REQUEST_SETTINGS,
     KG_REQUEST_RENAME,
-    KG_REQUEST_MENU
+    KG_REQUEST_MENU,
+    KG_REQUEST_ERROR /* the message is worth a dialog */
 } kg_request;
 
 /* The reference mesh as loaded. */

@@ -264,6 +264,8 @@ static kg_status do_command(script *s, const char *words, kg_error *error) {
     if (*words && !(arguments = json_loads(words, 0, &wrong)))
         return kg_fail(error, KG_ERR_INPUT, "the arguments are no JSON object: %s", wrong.text);
     kg_status status = kg_command_run(kg_command_find(id), &s->app->editor, arguments, error);
+    if (status) /* the script is told, no dialog is wanted */
+        s->app->editor.request = KG_REQUEST_NONE;
     json_decref(arguments);
     kg_app_run_events(s->app, FRAME);
     return status;

@@ -78,6 +78,8 @@ kg_status kg_command_run(const kg_app_command *command, kg_editor *e, const json
     kg_status status = command->run(e, arguments, error);
     if (status)
         kg_editor_say(e, KG_FAULT, "%s", error->message);
+    if (status && status != KG_ERR_INPUT) /* a file, or the machine: not seen in the model */
+        e->request = KG_REQUEST_ERROR;
     kg_editor_update(e);
     return status;
 }

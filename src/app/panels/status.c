@@ -21,9 +21,9 @@ void kg_panel_status(kg_app *app, kg_area area) {
         kg_ui_text_dim(now ? now : _(e->tool->hint));
     char text[128];
     if (faults > 0)
-        snprintf(text, sizeof text, _("%zu faults, %zu warnings"), faults, count - faults);
+        snprintf(text, sizeof text, _("Faults: %zu, warnings: %zu"), faults, count - faults);
     else if (count > 0)
-        snprintf(text, sizeof text, _("%zu warnings"), count);
+        snprintf(text, sizeof text, _("Warnings: %zu"), count);
     else
         snprintf(text, sizeof text, "%s", _("No faults"));
     kg_ui_right(kg_ui_text_width(text) + 10);
