@@ -197,14 +197,21 @@ static void find_sides(kg_folding *f) {
         if (f->sides[i] != -2)
             f->sides[i] = d > tolerance ? 1 : d < -tolerance ? -1 : 0;
     }
+    for (size_t h = 0; h < s->halves.count; h++) {
+        int32_t loop = s->halves.items[h].loop;
+        int side = f->sides[s->halves.items[h].origin];
+        if (loop >= 0 && s->loops.items[loop].group == f->axis.group)
+            f->reach[loop] |= side == 1 ? 1 : side == -1 ? 2 : 0;
+    }
 }
 
 kg_status kg_folding_create(const kg_origami_state *s, const kg_fold *fold, kg_folding *out,
                             kg_error *error) {
     kg_folding f = {.state = s,
                     .sides = calloc(s->vertices.count + 1, 1),
+                    .reach = calloc(s->loops.count + 1, 1),
                     .moves = calloc(s->loops.count + 1, sizeof *f.moves)};
-    kg_status status = f.sides && f.moves ? KG_OK : KG_ERR_MEMORY;
+    kg_status status = f.sides && f.reach && f.moves ? KG_OK : KG_ERR_MEMORY;
     if (!status)
         status = kg_outlines_create(s, &f.outlines);
     if (!status)
@@ -224,6 +231,7 @@ void kg_folding_clear(kg_folding *f) {
     kg_outlines_clear(&f->outlines);
     kg_layer_rows_clear(&f->rows);
     free(f->sides);
+    free(f->reach);
     free(f->moves);
     *f = (kg_folding){0};
 }
@@ -251,8 +259,8 @@ static int32_t topmost(const kg_folding *f, kg_vec3 vertex) {
             continue;
         bool covered = false;
         for (size_t k = f->rows.starts[i]; k < f->rows.starts[i + 1] && !covered; k++) {
-            int32_t other = f->rows.entries[k].other;
-            covered = f->rows.entries[k].above == up && !f->moves[other] &&
+            int32_t other = kg_row_other(&f->rows, k);
+            covered = kg_row_above(&f->rows, k) == up && !f->moves[other] &&
                       has_corner(s, (size_t)other, vertex);
         }
         if (!covered)

@@ -76,7 +76,7 @@ static kg_status find_through(finder *f, int32_t edge) {
     size_t i = r->starts[e->loops[0]], k = r->starts[e->loops[1]];
     kg_status status = KG_OK;
     while (i < r->starts[e->loops[0] + 1] && k < r->starts[e->loops[1] + 1] && !status) {
-        int32_t x = r->entries[i].other, y = r->entries[k].other;
+        int32_t x = kg_row_other(r, i), y = kg_row_other(r, k);
         if (x == y && runs_inside(f, e, x))
             status = add(
                 f, (kg_condition){KG_CONDITION_SAME, e->loops[0], x, e->loops[1], x, {edge, -1}});
@@ -137,7 +137,7 @@ static kg_status find_along(finder *f, int32_t edge) {
     for (int side = 0; side < 2; side++)
         for (size_t i = f->rows->starts[e->loops[side]];
              i < f->rows->starts[e->loops[side] + 1] && !status; i++) {
-            int32_t loop = f->rows->entries[i].other, first = f->state->loops.items[loop].first,
+            int32_t loop = kg_row_other(f->rows, i), first = f->state->loops.items[loop].first,
                     h = first;
             do {
                 int32_t other = h >> 1;

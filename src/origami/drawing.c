@@ -13,7 +13,7 @@ static kg_status find_levels(const kg_origami_state *s, const kg_layer_rows *r, 
     for (size_t i = 0; i < n && !status; i++) {
         levels[i] = -1;
         for (size_t k = r->starts[i]; k < r->starts[i + 1]; k++)
-            below[i] += r->entries[k].above < 0;
+            below[i] += kg_row_above(r, k) < 0;
         if (below[i] == 0) {
             levels[i] = 0;
             todo[count++] = (int32_t)i;
@@ -23,8 +23,8 @@ static kg_status find_levels(const kg_origami_state *s, const kg_layer_rows *r, 
     for (size_t t = 0; t < count && !status; t++) {
         int32_t loop = todo[t];
         for (size_t k = r->starts[loop]; k < r->starts[loop + 1]; k++) {
-            int32_t other = r->entries[k].other;
-            if (r->entries[k].above < 0)
+            int32_t other = kg_row_other(r, k);
+            if (kg_row_above(r, k) < 0)
                 continue;
             int32_t chain = -3 - levels[loop];
             levels[other] = chain < levels[other] ? chain : levels[other];
@@ -60,7 +60,7 @@ static double count_below(const kg_outlines *o, const kg_layer_rows *r, int32_t 
         middle = kg_add2(middle, kg_scale2(q[i], 1 / (double)n));
     kg_vec2 p = kg_lerp2(corner, middle, 0.02);
     for (size_t k = r->starts[loop]; k < r->starts[loop + 1]; k++)
-        below += r->entries[k].above < 0 && holds(o, r->entries[k].other, p);
+        below += kg_row_above(r, k) < 0 && holds(o, kg_row_other(r, k), p);
     return (double)below;
 }
 

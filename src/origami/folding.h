@@ -19,6 +19,8 @@ typedef struct kg_folding {
     kg_layer_rows rows;
     signed char *sides; /* of vertices in the group's plane: 1 moving side, -1, 0 on the axis; -2 in
                            other planes */
+    signed char *reach; /* of loops in the group, bits: 1 some corner beyond the axis, 2 some on the
+                           resting side */
     bool *moves;        /* loops that move; those across the axis with their part beyond it */
 } kg_folding;
 

@@ -45,7 +45,7 @@ static kg_status keep_orders(landing *l) {
                 return status;
         }
     }
-    return kg_orders_sort(l->after);
+    return KG_OK;
 }
 
 /* ---- between two layers ----------------------------------------------------------------- */
@@ -62,8 +62,8 @@ static kg_status spread_up(landing *l, const kg_layer_rows *rows, int32_t start)
     while (ok && todo.count > 0) {
         int32_t loop = todo.items[--todo.count], first = s->loops.items[loop].first, h = first;
         for (size_t k = rows->starts[loop]; k < rows->starts[loop + 1] && ok; k++) {
-            int32_t other = rows->entries[k].other;
-            if (rows->entries[k].above != 1 || l->parts->moves[other] || l->upper[other])
+            int32_t other = kg_row_other(rows, k);
+            if (kg_row_above(rows, k) != 1 || l->parts->moves[other] || l->upper[other])
                 continue;
             l->upper[other] = true;
             ok = kg_push(&todo, other);
@@ -82,6 +82,9 @@ static kg_status spread_up(landing *l, const kg_layer_rows *rows, int32_t start)
 }
 
 static kg_status find_upper(landing *l, const int32_t between[2]) {
+    kg_status sorted = kg_orders_sort(l->after);
+    if (sorted)
+        return sorted;
     const kg_origami_state *s = l->after;
     size_t loops = l->folding->state->loops.count;
     for (int k = 0; k < 2; k++)

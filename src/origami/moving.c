@@ -22,17 +22,6 @@ static int side_of(const kg_folding *f, int32_t half) {
     return f->sides[f->state->halves.items[half].origin];
 }
 
-/* Bits: 1 some corner beyond the axis, 2 some corner on the resting side. */
-static int reach(const kg_folding *f, int32_t loop) {
-    int32_t first = f->state->loops.items[loop].first, h = first;
-    int bits = 0;
-    do {
-        int side = side_of(f, h);
-        bits |= side == 1 ? 1 : side == -1 ? 2 : 0;
-    } while ((h = kg_next(f->state, h)) != first);
-    return bits;
-}
-
 static kg_status add(kg_folding *f, stack *todo, int32_t loop) {
     if (f->moves[loop])
         return KG_OK;
@@ -72,7 +61,7 @@ static kg_status follow_edge(kg_folding *f, stack *todo, int32_t half, kg_error 
 
 /* Parts beyond the axis of two overlapping loops overlap. */
 static bool overlap_beyond(const kg_folding *f, int32_t a, int32_t b, kg_vec2 *scratch) {
-    int across_a = reach(f, a), across_b = reach(f, b);
+    int across_a = f->reach[a], across_b = f->reach[b];
     if (!(across_b & 1))
         return false;
     if (!(across_a & 2) || !(across_b & 2))
@@ -111,8 +100,8 @@ static kg_status follow_layers(kg_folding *f, stack *todo, int32_t loop, kg_vec2
     int up = f->axis.angle > 0 ? 1 : -1;
     kg_status status = KG_OK;
     for (size_t k = f->rows.starts[loop]; k < f->rows.starts[loop + 1] && !status; k++) {
-        int32_t other = f->rows.entries[k].other;
-        int above = f->rows.entries[k].above;
+        int32_t other = kg_row_other(&f->rows, k);
+        int above = kg_row_above(&f->rows, k);
         if (f->moves[other])
             continue;
         if (in_group(f, loop) ? above == up && overlap_beyond(f, loop, other, scratch)
@@ -123,7 +112,7 @@ static kg_status follow_layers(kg_folding *f, stack *todo, int32_t loop, kg_vec2
 }
 
 kg_status kg_folding_move(kg_folding *f, int32_t loop, kg_error *error) {
-    if (in_group(f, loop) && !(reach(f, loop) & 1))
+    if (in_group(f, loop) && !(f->reach[loop] & 1))
         return kg_fail(error, KG_ERR_INPUT, "face %d has nothing on the moving side of the axis",
                        loop);
     size_t most = 0;

@@ -55,7 +55,8 @@ bool kg_outlines_overlap(const kg_outlines *o, int32_t a, int32_t b, double tole
 kg_status kg_layer_rows_create(const kg_origami_state *s, const kg_outlines *o,
                                kg_layer_rows *out) {
     size_t n = s->loops.count, pairs = s->orders.count;
-    kg_layer_rows r = {calloc(n + 2, sizeof *r.starts), calloc(2 * pairs + 1, sizeof *r.entries)};
+    kg_layer_rows r = {calloc(n + 2, sizeof *r.starts),
+                       malloc((2 * pairs + 1) * sizeof *r.entries)};
     if (!r.starts || !r.entries) {
         kg_layer_rows_clear(&r);
         return KG_ERR_MEMORY;
@@ -70,11 +71,11 @@ kg_status kg_layer_rows_create(const kg_origami_state *s, const kg_outlines *o,
      */
     for (size_t i = 0; i < pairs; i++) {
         const kg_layer_order *p = &s->orders.items[i];
-        r.entries[r.starts[p->b + 1]++] = (struct kg_layer_entry){p->a, -p->side * o->facing[p->a]};
+        r.entries[r.starts[p->b + 1]++] = 2 * p->a + (p->side != o->facing[p->a]);
     }
     for (size_t i = 0; i < pairs; i++) {
         const kg_layer_order *p = &s->orders.items[i];
-        r.entries[r.starts[p->a + 1]++] = (struct kg_layer_entry){p->b, p->side * o->facing[p->a]};
+        r.entries[r.starts[p->a + 1]++] = 2 * p->b + (p->side == o->facing[p->a]);
     }
     *out = r;
     return KG_OK;

@@ -25,15 +25,21 @@ static inline const kg_vec2 *kg_outline_points(const kg_outlines *o, int32_t loo
 /* Both in one group: they overlap by more than `tolerance` mm. */
 bool kg_outlines_overlap(const kg_outlines *outlines, int32_t a, int32_t b, double tolerance);
 
-/* The orders of each loop: of loop i, entries[starts[i]] … entries[starts[i + 1] - 1], by `other`.
- */
+/* The orders of each loop: of loop i, entries[starts[i]] … entries[starts[i + 1] - 1], by the other
+ * loop. There may be millions, so an entry is one number: twice the other loop, and 1 more when
+ * that lies above along the group's normal. */
 typedef struct kg_layer_rows {
     size_t *starts;
-    struct kg_layer_entry {
-        int32_t other;
-        int32_t above; /* 1: other lies above along the group's normal, -1: below */
-    } * entries;
+    int32_t *entries;
 } kg_layer_rows;
+
+static inline int32_t kg_row_other(const kg_layer_rows *rows, size_t k) {
+    return rows->entries[k] >> 1;
+}
+/* 1: above, -1: below */
+static inline int kg_row_above(const kg_layer_rows *rows, size_t k) {
+    return 2 * (rows->entries[k] & 1) - 1;
+}
 
 kg_status kg_layer_rows_create(const kg_origami_state *state, const kg_outlines *outlines,
                                kg_layer_rows *out);

@@ -109,7 +109,7 @@ static kg_status add_triples_of(solver *v, size_t pair, kg_vec2 *scratch) {
     size_t na = kg_outline_size(o, a), nb = kg_outline_size(o, b), n = 0;
     size_t i = r->starts[a], k = r->starts[b];
     while (i < r->starts[a + 1] && k < r->starts[b + 1]) {
-        int32_t x = r->entries[i].other, y = r->entries[k].other;
+        int32_t x = kg_row_other(r, i), y = kg_row_other(r, k);
         i += x <= y;
         k += y <= x;
         if (x != y || x < b)

@@ -111,5 +111,6 @@ int main(int argc, char **argv) {
     bench_crossings();
     bench_models();
     bench_cards();
+    bench_origami();
     return bench_processes(argv[1], argv[2]);
 }

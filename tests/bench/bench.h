@@ -17,5 +17,6 @@ void bench_patches(void);
 void bench_crossings(void);
 void bench_models(void);
 void bench_cards(void);
+void bench_origami(void);
 
 #endif
