@@ -353,15 +353,28 @@ bool kg_model_patch_equal(const kg_model_patch *a, const kg_model_patch *b) {
     return true;
 }
 
+static bool same_join(const kg_model_join *a, const kg_model_join *b) {
+    return a->patches[0] == b->patches[0] && a->patches[1] == b->patches[1] && a->tab == b->tab &&
+           a->width == b->width && a->shape == b->shape && a->merge == b->merge &&
+           same_json(a->json, b->json);
+}
+
+static bool same_net(const kg_model_net *a, const kg_model_net *b) {
+    bool same = same_text(a->paper, b->paper) && a->margin == b->margin && a->scale == b->scale &&
+                a->tab_width == b->tab_width && same_json(a->json, b->json) &&
+                a->join_count == b->join_count;
+    for (size_t i = 0; same && i < a->join_count; i++)
+        same = same_join(&a->joins[i], &b->joins[i]);
+    return same;
+}
+
 bool kg_model_equal(const kg_model *a, const kg_model *b) {
     const kg_reference *r = &a->reference, *s = &b->reference;
     if (!same_text(a->title, b->title) || !same_text(r->file, s->file) ||
         r->size_mm != s->size_mm || r->up_y != s->up_y || r->visible != s->visible ||
         r->opacity != s->opacity || r->has_matrix != s->has_matrix ||
         (r->has_matrix && memcmp(r->matrix, s->matrix, sizeof r->matrix) != 0) ||
-        !same_json(r->json, s->json) || !same_text(a->net.paper, b->net.paper) ||
-        a->net.margin != b->net.margin || a->net.scale != b->net.scale ||
-        a->net.tab_width != b->net.tab_width || !same_json(a->net.json, b->net.json) ||
+        !same_json(r->json, s->json) || !same_net(&a->net, &b->net) ||
         !same_json(a->json, b->json) || a->patch_count != b->patch_count)
         return false;
     for (size_t i = 0; i < a->patch_count; i++)
