@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 import script  # noqa: E402
 
-KATAGAMI = sys.argv[1]
+KATAGAMI = os.path.abspath(sys.argv[1])
 DATA = ROOT / "data"
 FOLDER = tempfile.TemporaryDirectory()
 HERE = pathlib.Path(FOLDER.name)
