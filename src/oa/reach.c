@@ -128,6 +128,18 @@ static span united(span a, span b) {
     return (span){a.lo < b.lo ? a.lo : b.lo, a.hi > b.hi ? a.hi : b.hi};
 }
 
+/* Are these cells, which every stretch with changed joins holds one of, all reached, and straight
+ * from the row before? Then so are the stretches, however they are joined now. Or is none, and
+ * still none from there? Then neither are they. By far the most common cases. */
+static bool is_settled(const uint64_t *reached, const uint64_t *source, const uint64_t *joins,
+                       span cells) {
+    bool all = bit(reached, cells.lo);
+    for (int x = cells.lo; x <= cells.hi; x++)
+        if (bit(reached, x) != all || (bit(source, x) && bit(joins, x)) != all)
+            return false;
+    return true;
+}
+
 /* Renews a flood after the joins around column x in the rows first … last have changed. */
 static void renew(kg_oa_reach *r, int flood, int x, int first, int last) {
     int step = flood == BACK ? 1 : -1, row = flood == BACK ? first : last;
@@ -141,7 +153,9 @@ static void renew(kg_oa_reach *r, int flood, int x, int first, int last) {
         bool start = row == (flood == BACK ? 0 : r->rows - 1);
         const uint64_t *source = start ? NULL : row_of(r, r->reached[flood], row - step);
         const uint64_t *joins = start ? NULL : row_of(r, r->down, flood == BACK ? row - 1 : row);
-        changed = renew_row(r, flood, row, source, joins, dirty);
+        bool alone = near && changed.lo > changed.hi && source;
+        if (!alone || !is_settled(row_of(r, r->reached[flood], row), source, joins, here))
+            changed = renew_row(r, flood, row, source, joins, dirty);
         near = near && row != beyond;
     }
 }
