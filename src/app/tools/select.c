@@ -228,7 +228,7 @@ static bool on_event(kg_editor *e, const kg_event *event) {
         release(e, s, event);
         return true;
     case KG_EVENT_KEY:
-        if (event->key == KG_KEY_DELETE && s->gesture == IDLE &&
+        if (event->key == KG_KEY_BACKSPACE && s->gesture == IDLE &&
             kg_corner_under(e, e->pointer).patch) {
             kg_corner_remove(e, kg_corner_under(e, e->pointer));
             return true;
@@ -271,8 +271,9 @@ static const char *hint_now(const kg_editor *e) {
     if (kg_editor_model(e)->patch_count == 0)
         return _("A: place a patch by four clicks   File › Reference…: a mesh to sculpt over");
     if (kg_corner_under(e, e->pointer).patch)
-        return _("Drag the corner of the contour   Del: remove it   Ctrl+click on an edge: one "
-                 "more");
+        return _(
+            "Drag the corner of the contour   Backspace: remove it   Ctrl+click on an edge: one "
+            "more");
     if (e->selection.patches.count > 1)
         return _(
             "T: the red patch is trimmed by the blue one   Shift+T: trim inside   Shift+click: "
