@@ -66,7 +66,7 @@ static void cutting_clear(cutting *c) {
 
 static kg_status cut_loops(const kg_folding *f, cutting *c) {
     size_t loops = f->state->loops.count, vertices = f->state->vertices.count;
-    c->state = kg_state_copy(f->state);
+    c->state = kg_state_copy(f->state, false);
     c->parts.children = malloc((loops + 1) * sizeof *c->parts.children);
     c->parts.parents = malloc((2 * loops + 1) * sizeof *c->parts.parents);
     c->parts.moves = calloc(2 * loops + 1, sizeof *c->parts.moves);

@@ -29,7 +29,6 @@ static kg_status keep_orders(landing *l) {
     const bool *moves = l->parts->moves;
     if (!kg_reserve(&l->after->orders, before->orders.count))
         return KG_ERR_MEMORY;
-    l->after->orders.count = 0;
     for (size_t i = 0; i < before->orders.count; i++) {
         kg_layer_order o = before->orders.items[i];
         bool whole = children[o.a] < 0 && children[o.b] < 0;

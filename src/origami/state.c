@@ -34,15 +34,17 @@ static bool copy_items(void **out, const void *items, size_t count, size_t size)
     (c->array.capacity = c->array.count,                                                           \
      copy_items((void **)&c->array.items, s->array.items, s->array.count, sizeof *s->array.items))
 
-kg_origami_state *kg_state_copy(const kg_origami_state *s) {
+kg_origami_state *kg_state_copy(const kg_origami_state *s, bool orders) {
     kg_origami_state *c = malloc(sizeof *c);
     if (!c)
         return NULL;
     *c = *s;
     c->vertices.items = NULL, c->halves.items = NULL, c->edges.items = NULL;
     c->loops.items = NULL, c->groups.items = NULL, c->orders.items = NULL;
+    if (!orders)
+        c->orders.count = c->orders.capacity = 0;
     if (COPY(vertices) && COPY(halves) && COPY(edges) && COPY(loops) && COPY(groups) &&
-        COPY(orders))
+        (!orders || COPY(orders)))
         return c;
     kg_state_destroy(c);
     return NULL;

@@ -27,7 +27,8 @@ static inline int32_t kg_twin(int32_t half) {
 
 kg_origami_state *kg_state_create(void);
 void kg_state_destroy(kg_origami_state *state);
-kg_origami_state *kg_state_copy(const kg_origami_state *state);
+/* A copy; without its orders when these are going to be others. */
+kg_origami_state *kg_state_copy(const kg_origami_state *state, bool orders);
 
 /* Faces as lists of vertices, counter-clockwise in paper coordinates: face i has the corners
  * corners[starts[i]] … corners[starts[i + 1] - 1]. */
