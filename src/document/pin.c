@@ -102,3 +102,20 @@ kg_status kg_pin_remove(kg_model *model, int64_t patch, size_t piece, kg_error *
     json_decref(list);
     return kg_net_settings_set(&model->net, "placements", NULL, error);
 }
+
+kg_status kg_pin_forget_patch(kg_model *model, int64_t patch, kg_error *error) {
+    kg_model_net *net = &model->net;
+    kg_status status = kg_pin_remove(model, patch, KG_PIN_ALL, error);
+    if (status)
+        return status;
+    size_t kept = 0;
+    for (size_t i = 0; i < net->join_count; i++) {
+        kg_model_join *join = &net->joins[i];
+        if (join->patches[0] == patch || join->patches[1] == patch)
+            json_decref(join->json);
+        else
+            net->joins[kept++] = *join;
+    }
+    net->join_count = kept;
+    return KG_OK;
+}

@@ -25,4 +25,8 @@ kg_status kg_pin_set(kg_model *model, int64_t patch, size_t piece, kg_net_placem
 #define KG_PIN_ALL SIZE_MAX
 kg_status kg_pin_remove(kg_model *model, int64_t patch, size_t piece, kg_error *error) KG_CHECKED;
 
+/* Removes all that the net says of a patch that is going to be removed: pins and wishes for its
+ * joins. A later patch may get its number. KG_ERR_MEMORY. */
+kg_status kg_pin_forget_patch(kg_model *model, int64_t patch, kg_error *error) KG_CHECKED;
+
 #endif

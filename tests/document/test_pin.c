@@ -116,6 +116,23 @@ static void pins_that_make_no_sense_are_ignored(void **state) {
     kg_model_destroy(model);
 }
 
+static void a_removed_patch_leaves_no_pins_or_joins(void **state) {
+    (void)state;
+    kg_model *model = read("{\"placements\": [{\"patch\": 7, \"page\": 0, \"x\": 0, \"y\": 0}, "
+                           "{\"patch\": 4, \"page\": 0, \"x\": 1, \"y\": 2}], \"joins\": "
+                           "[{\"patches\": [4, 7], \"tab\": \"none\"}, {\"patches\": [4, 5], "
+                           "\"merge\": true, \"note\": 1}]}");
+    kg_net *net = three_parts();
+    assert_int_equal(kg_pin_forget_patch(model, 7, NULL), KG_OK);
+    kg_pin_parts(model, net);
+    assert_true(!net->parts[0].pinned && net->parts[1].pinned && !net->parts[2].pinned);
+    assert_int_equal(model->net.join_count, 1);
+    assert_null(kg_model_find_join(model, 4, 7));
+    assert_non_null(kg_model_find_join(model, 5, 4));
+    kg_net_destroy(net);
+    kg_model_destroy(model);
+}
+
 static void settings_follow_the_model(void **state) {
     (void)state;
     kg_model *model = read("{\"paper\": \"A3\", \"landscape\": true, \"labels\": \"outside\", "
@@ -154,6 +171,7 @@ int main(void) {
         cmocka_unit_test(pins_survive_the_file_and_other_keys_too),
         cmocka_unit_test(removing_pins_leaves_no_empty_list),
         cmocka_unit_test(pins_that_make_no_sense_are_ignored),
+        cmocka_unit_test(a_removed_patch_leaves_no_pins_or_joins),
         cmocka_unit_test(settings_follow_the_model),
         cmocka_unit_test(wrong_settings_are_refused_by_name),
     };

@@ -137,13 +137,11 @@ static kg_status read_word(const json_t *a, const char *name, const char *const 
 }
 
 /* The wish for a pair of patches, added when there is none. */
-static kg_model_join *join_of(kg_model_net *net, const int64_t patches[2]) {
-    for (size_t i = 0; i < net->join_count; i++) {
-        const int64_t *p = net->joins[i].patches;
-        if ((p[0] == patches[0] && p[1] == patches[1]) ||
-            (p[0] == patches[1] && p[1] == patches[0]))
-            return &net->joins[i];
-    }
+static kg_model_join *join_of(kg_model *model, const int64_t patches[2]) {
+    kg_model_net *net = &model->net;
+    const kg_model_join *found = kg_model_find_join(model, patches[0], patches[1]);
+    if (found)
+        return &net->joins[found - net->joins];
     kg_model_join *more = realloc(net->joins, (net->join_count + 1) * sizeof *more);
     if (!more)
         return NULL;
@@ -152,11 +150,11 @@ static kg_model_join *join_of(kg_model_net *net, const int64_t patches[2]) {
     return &more[net->join_count++];
 }
 
-static kg_status change_join(kg_model_net *net, const int64_t patches[2], const json_t *a,
+static kg_status change_join(kg_model *model, const int64_t patches[2], const json_t *a,
                              kg_error *error) {
     static const char *const tabs[] = {"auto", "none", "this", "other"};
     static const char *const shapes[] = {"auto", "trapezoid", "teeth"};
-    kg_model_join *join = join_of(net, patches);
+    kg_model_join *join = join_of(model, patches);
     if (!join)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     bool turned = join->patches[0] != patches[0]; /* the model names them the other way round */
@@ -181,7 +179,7 @@ static kg_status change_join(kg_model_net *net, const int64_t patches[2], const 
     join->width = width;
     join->merge = merge;
     if (tab == KG_JOIN_TAB_AUTO && shape == KG_JOIN_AUTO && width == 0 && !merge && !join->json)
-        *join = net->joins[--net->join_count]; /* nothing is wished for */
+        *join = model->net.joins[--model->net.join_count]; /* nothing is wished for */
     return KG_OK;
 }
 
@@ -198,7 +196,7 @@ static kg_status set_join(kg_editor *e, const json_t *a, kg_error *error) {
     if (status)
         return status;
     kg_editor_touch(e);
-    return kg_editor_finish(e, change_join(&m->net, patches, a, error));
+    return kg_editor_finish(e, change_join(m, patches, a, error));
 }
 
 /* ---- the view --------------------------------------------------------------------------- */

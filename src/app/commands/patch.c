@@ -4,6 +4,7 @@
 #include "app/scenery.h"
 #include "app/text.h"
 #include "app/tools/tools.h"
+#include "document/pin.h"
 #include "model/edit.h"
 
 #include <stdlib.h>
@@ -72,7 +73,8 @@ static kg_status add(kg_editor *e, const json_t *a, kg_error *error) {
 static kg_status remove_one(kg_editor *e, int64_t id, const json_t *a, kg_error *error) {
     (void)a;
     kg_editor_touch(e);
-    return kg_model_remove_patch(kg_editor_model(e), id, error);
+    kg_status status = kg_pin_forget_patch(kg_editor_model(e), id, error);
+    return status ? status : kg_model_remove_patch(kg_editor_model(e), id, error);
 }
 static kg_status remove_patches(kg_editor *e, const json_t *a, kg_error *error) {
     return for_each(e, a, N_("Delete"), remove_one, error);

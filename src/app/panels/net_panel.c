@@ -194,17 +194,12 @@ static void patch_label(const kg_editor *e, int64_t id, char *out, size_t size) 
 
 /* What the model wishes for the joins of two patches, seen from the first of these. */
 static kg_model_join wish_of(const kg_editor *e, const kg_net_join *join) {
-    const kg_model_net *net = &kg_editor_model(e)->net;
-    for (size_t i = 0; i < net->join_count; i++) {
-        kg_model_join wish = net->joins[i];
-        bool same = wish.patches[0] == join->sources[0] && wish.patches[1] == join->sources[1];
-        bool turned = wish.patches[0] == join->sources[1] && wish.patches[1] == join->sources[0];
-        if (turned && wish.tab >= KG_JOIN_TAB_THIS)
-            wish.tab = wish.tab == KG_JOIN_TAB_THIS ? KG_JOIN_TAB_OTHER : KG_JOIN_TAB_THIS;
-        if (same || turned)
-            return wish;
-    }
-    return (kg_model_join){0};
+    const kg_model_join *found =
+        kg_model_find_join(kg_editor_model(e), join->sources[0], join->sources[1]);
+    kg_model_join wish = found ? *found : (kg_model_join){0};
+    if (found && found->patches[0] != join->sources[0] && wish.tab >= KG_JOIN_TAB_THIS)
+        wish.tab = wish.tab == KG_JOIN_TAB_THIS ? KG_JOIN_TAB_OTHER : KG_JOIN_TAB_THIS;
+    return wish;
 }
 
 static void join_menu(kg_app *app, const kg_net_join *join) {
