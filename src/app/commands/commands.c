@@ -75,6 +75,10 @@ bool kg_command_is_enabled(const kg_app_command *command, const kg_editor *e) {
 
 kg_status kg_command_run(const kg_app_command *command, kg_editor *e, const json_t *arguments,
                          kg_error *error) {
+    /* what a tool has begun gives way, but for looking at it from elsewhere */
+    if (e->before && strncmp(command->id, "view.", 5) != 0)
+        kg_editor_use_default(e);
+    kg_editor_update(e);
     kg_status status = command->run(e, arguments, error);
     if (status)
         kg_editor_say(e, KG_FAULT, "%s", error->message);

@@ -72,6 +72,8 @@ void kg_point_drag_move(kg_point_drag *d, kg_editor *e, kg_vec2 px, unsigned mod
         to = kg_add(d->start, kg_sub(kg_pane_on_screen_plane(&e->pane, aim, d->start), a));
     }
     kg_vec3 by = kg_sub(to, d->start);
+    if (!e->before) /* something else ended the step */
+        return;
     if (mods & KG_MOD_CTRL)
         by = rounded(e, by);
     if (!isfinite(kg_len(by)))
@@ -80,6 +82,8 @@ void kg_point_drag_move(kg_point_drag *d, kg_editor *e, kg_vec2 px, unsigned mod
         kg_point_ref r = e->selection.points.items[i];
         kg_model_patch *p = kg_model_find(m, r.patch);
         const kg_model_patch *before = kg_model_find(e->before, r.patch);
+        if (!p || !before)
+            continue;
         kg_vec3 moved = kg_add(before->input.points[r.index], by);
         if (fabs(moved.x) <= FARTHEST && fabs(moved.y) <= FARTHEST && fabs(moved.z) <= FARTHEST)
             p->input.points[r.index] = moved;

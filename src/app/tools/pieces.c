@@ -97,11 +97,15 @@ static bool on_event(kg_editor *e, const kg_event *event) {
             finish(e);
         return true;
     case KG_EVENT_KEY:
-        if (event->key == KG_KEY_ESCAPE)
+        if (event->key == KG_KEY_ESCAPE) {
             kg_editor_use_default(e); /* which takes the trim back */
-        else if (!s->face && (event->key == KG_KEY_ENTER || event->key == KG_KEY_PAD_ENTER))
+            return true;
+        }
+        if (!s->face && (event->key == KG_KEY_ENTER || event->key == KG_KEY_PAD_ENTER)) {
             finish(e);
-        return true;
+            return true;
+        }
+        return false;
     default:
         return false;
     }

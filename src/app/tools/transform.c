@@ -169,6 +169,8 @@ static kg_similarity map_of(const kg_editor *e, const state *s) {
 /* The selection as it was, moved as the pointer says now. */
 static void update(kg_editor *e) {
     state *s = e->tool_state;
+    if (!e->before) /* something else ended the step */
+        return;
     kg_similarity map = map_of(e, s);
     kg_model *fresh = kg_model_copy(e->before);
     kg_error error;
