@@ -67,7 +67,6 @@ static void pinned_parts_off_the_page_or_on_each_other_are_told(void **state) {
     kg_net *net = squares();
     kg_net_options options = kg_net_options_default();
     unsigned clashes[COUNT];
-    options.nest = true;
     pin(net, 0, 0, -10, 50, 0);
     pin(net, 1, 0, 60, 60, 0);
     pin(net, 2, 0, 99, 99, 0);
