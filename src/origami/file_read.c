@@ -308,7 +308,7 @@ static bool ends_with(const char *name, const char *end) {
 }
 
 static kg_status import_state(const char *data, size_t size, const char *name,
-                              kg_layer_report *report, kg_origami_state **out_state,
+                              kg_layer_report *report, kg_origami_state **out_state, char **title,
                               kg_error *error) {
     kg_status status;
     if (ends_with(name, ".cp")) {
@@ -324,6 +324,12 @@ static kg_status import_state(const char *data, size_t size, const char *name,
             return status;
         kg_json_place p = {.name = name, .text = text, .error = error};
         status = kg_fold_read(&p, root, report, out_state);
+        const char *given = json_string_value(json_object_get(root, "file_title"));
+        char *copy = !status && given ? strdup(given) : NULL;
+        if (copy) {
+            free(*title);
+            *title = copy;
+        }
         free(text);
         json_decref(root);
     }
@@ -339,13 +345,14 @@ kg_status kg_origami_import_memory(const char *data, size_t size, const char *na
                                    kg_error *error) {
     kg_layer_report plain = kg_layer_report_default();
     kg_origami_state *s;
-    kg_status status = import_state(data, size, name, report ? report : &plain, &s, error);
-    if (status)
-        return status;
     kg_origami *o = kg_origami_create();
-    if (!o) {
-        kg_state_destroy(s);
+    if (!o)
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", name);
+    kg_status status =
+        import_state(data, size, name, report ? report : &plain, &s, &o->title, error);
+    if (status) {
+        kg_origami_destroy(o);
+        return status;
     }
     set_start(o, s);
     *out_origami = o;
