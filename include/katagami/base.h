@@ -50,7 +50,8 @@ typedef struct kg_error {
 KG_API kg_status kg_fail(kg_error *error, kg_status status, const char *format, ...)
     KG_PRINTF(3, 4);
 
-/* Puts words in front of a message already recorded ("patch 3: " before "…"); returns its status. */
+/* Puts words in front of a message already recorded ("patch 3: " before "…"); returns its status.
+ */
 KG_API kg_status kg_fail_in(kg_error *error, kg_status status, const char *format, ...)
     KG_PRINTF(3, 4);
 
@@ -88,13 +89,27 @@ static inline kg_vec2 kg_v2(double x, double y) {
     r.y = y;
     return r;
 }
-static inline kg_vec2 kg_add2(kg_vec2 a, kg_vec2 b) { return kg_v2(a.x + b.x, a.y + b.y); }
-static inline kg_vec2 kg_sub2(kg_vec2 a, kg_vec2 b) { return kg_v2(a.x - b.x, a.y - b.y); }
-static inline kg_vec2 kg_scale2(kg_vec2 a, double s) { return kg_v2(a.x * s, a.y * s); }
-static inline double kg_dot2(kg_vec2 a, kg_vec2 b) { return a.x * b.x + a.y * b.y; }
-static inline double kg_cross2(kg_vec2 a, kg_vec2 b) { return a.x * b.y - a.y * b.x; }
-static inline double kg_len2(kg_vec2 a) { return sqrt(kg_dot2(a, a)); }
-static inline double kg_dist2(kg_vec2 a, kg_vec2 b) { return kg_len2(kg_sub2(a, b)); }
+static inline kg_vec2 kg_add2(kg_vec2 a, kg_vec2 b) {
+    return kg_v2(a.x + b.x, a.y + b.y);
+}
+static inline kg_vec2 kg_sub2(kg_vec2 a, kg_vec2 b) {
+    return kg_v2(a.x - b.x, a.y - b.y);
+}
+static inline kg_vec2 kg_scale2(kg_vec2 a, double s) {
+    return kg_v2(a.x * s, a.y * s);
+}
+static inline double kg_dot2(kg_vec2 a, kg_vec2 b) {
+    return a.x * b.x + a.y * b.y;
+}
+static inline double kg_cross2(kg_vec2 a, kg_vec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+static inline double kg_len2(kg_vec2 a) {
+    return sqrt(kg_dot2(a, a));
+}
+static inline double kg_dist2(kg_vec2 a, kg_vec2 b) {
+    return kg_len2(kg_sub2(a, b));
+}
 static inline kg_vec2 kg_lerp2(kg_vec2 a, kg_vec2 b, double t) {
     return kg_v2(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t);
 }
@@ -106,21 +121,37 @@ static inline kg_vec3 kg_v3(double x, double y, double z) {
     r.z = z;
     return r;
 }
-static inline kg_vec3 kg_add(kg_vec3 a, kg_vec3 b) { return kg_v3(a.x + b.x, a.y + b.y, a.z + b.z); }
-static inline kg_vec3 kg_sub(kg_vec3 a, kg_vec3 b) { return kg_v3(a.x - b.x, a.y - b.y, a.z - b.z); }
-static inline kg_vec3 kg_neg(kg_vec3 a) { return kg_v3(-a.x, -a.y, -a.z); }
-static inline kg_vec3 kg_scale(kg_vec3 a, double s) { return kg_v3(a.x * s, a.y * s, a.z * s); }
+static inline kg_vec3 kg_add(kg_vec3 a, kg_vec3 b) {
+    return kg_v3(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+static inline kg_vec3 kg_sub(kg_vec3 a, kg_vec3 b) {
+    return kg_v3(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+static inline kg_vec3 kg_neg(kg_vec3 a) {
+    return kg_v3(-a.x, -a.y, -a.z);
+}
+static inline kg_vec3 kg_scale(kg_vec3 a, double s) {
+    return kg_v3(a.x * s, a.y * s, a.z * s);
+}
 /* a + s b */
 static inline kg_vec3 kg_madd(kg_vec3 a, double s, kg_vec3 b) {
     return kg_v3(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);
 }
-static inline double kg_dot(kg_vec3 a, kg_vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static inline double kg_dot(kg_vec3 a, kg_vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 static inline kg_vec3 kg_cross(kg_vec3 a, kg_vec3 b) {
     return kg_v3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
-static inline double kg_det(kg_vec3 a, kg_vec3 b, kg_vec3 c) { return kg_dot(a, kg_cross(b, c)); }
-static inline double kg_len(kg_vec3 a) { return sqrt(kg_dot(a, a)); }
-static inline double kg_dist(kg_vec3 a, kg_vec3 b) { return kg_len(kg_sub(a, b)); }
+static inline double kg_det(kg_vec3 a, kg_vec3 b, kg_vec3 c) {
+    return kg_dot(a, kg_cross(b, c));
+}
+static inline double kg_len(kg_vec3 a) {
+    return sqrt(kg_dot(a, a));
+}
+static inline double kg_dist(kg_vec3 a, kg_vec3 b) {
+    return kg_len(kg_sub(a, b));
+}
 static inline kg_vec3 kg_lerp(kg_vec3 a, kg_vec3 b, double t) {
     return kg_v3(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t);
 }

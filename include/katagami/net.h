@@ -238,7 +238,8 @@ typedef struct kg_net_layout {
 /* Places every part of the net; `progress` (NULL: none) is called while nesting. Pinned parts lie
  * where their pins say, be that off the page; without paper pins mean nothing. Errors: KG_ERR_INPUT
  * (an option out of its range; no parts, or what kg_net_check refuses; a part larger than the page:
- * names it, its size and what would help; a pin that is no place), KG_ERR_CANCELLED, KG_ERR_MEMORY. */
+ * names it, its size and what would help; a pin that is no place), KG_ERR_CANCELLED, KG_ERR_MEMORY.
+ */
 KG_API kg_status kg_net_layout_create(const kg_net *net, const kg_net_options *options,
                                       const kg_progress *progress, kg_net_layout **out_layout,
                                       kg_error *error) KG_CHECKED;

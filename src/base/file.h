@@ -10,12 +10,12 @@
 #include <stdio.h>
 
 /* Reads all of `path` into a new buffer with a zero byte behind it (not counted). */
-kg_status kg_file_read(const char *path, char **out_data, size_t *out_size, kg_error *error)
-    KG_CHECKED;
+kg_status kg_file_read(const char *path, char **out_data, size_t *out_size,
+                       kg_error *error) KG_CHECKED;
 
 /* Writes `size` bytes so that `path` holds either its old or its new content, never a part. */
-kg_status kg_file_write(const char *path, const void *data, size_t size, kg_error *error)
-    KG_CHECKED;
+kg_status kg_file_write(const char *path, const void *data, size_t size,
+                        kg_error *error) KG_CHECKED;
 
 /* A temporary name beside `path`, for writers that want a name themselves; finish with
  * kg_file_commit (rename) or kg_file_discard. The caller frees `*out_temporary`. */

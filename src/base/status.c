@@ -31,4 +31,6 @@ kg_status kg_fail_in(kg_error *error, kg_status status, const char *format, ...)
     return status;
 }
 
-const char *kg_version(void) { return KG_VERSION; }
+const char *kg_version(void) {
+    return KG_VERSION;
+}

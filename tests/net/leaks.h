@@ -4,6 +4,8 @@
 #define KG_TESTS_NET_LEAKS_H
 
 const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void) { return "leak:libfontconfig\n"; }
+const char *__lsan_default_suppressions(void) {
+    return "leak:libfontconfig\n";
+}
 
 #endif
