@@ -291,8 +291,10 @@ static kg_status search(nester *n, const kg_progress *progress, layout *best, kg
         memset(masks, 0xff, n->count * sizeof *masks);
         memcpy(trial.places, best->places, n->count * sizeof *trial.places);
         status = lay_out(n, order, count, masks, best);
-        /* One page is the best there is; a single part has no other order. */
-        while (status == KG_OK && n->work < WORK && best->pages > 1 && count > 1) {
+        /* One page, or those with pinned parts, are the fewest there can be; a single part has no
+         * other order. */
+        int fewest = n->fixed.count > 1 ? (int)n->fixed.count : 1;
+        while (status == KG_OK && n->work < WORK && best->pages > fewest && count > 1) {
             if (progress && progress->call &&
                 !progress->call(progress->user, (double)n->work / (double)WORK, "nesting")) {
                 status = KG_ERR_CANCELLED;
