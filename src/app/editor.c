@@ -227,17 +227,13 @@ static bool same_reference(const kg_model *a, const kg_model *b) {
 }
 
 static bool step_back_or_forth(kg_editor *e, bool back) {
-    kg_steps *from = back ? &e->history.undo : &e->history.redo;
-    if (e->before || from->count == 0)
+    if (e->before ||
+        !(back ? kg_history_undo : kg_history_redo)(&e->history, kg_editor_model(e), &e->state))
         return false;
-    bool same = same_reference(from->items[from->count - 1].model, kg_editor_model(e));
-    bool done =
-        (back ? kg_history_undo : kg_history_redo)(&e->history, kg_editor_model(e), &e->state);
-    if (!done)
-        return false;
+    const kg_steps *to = back ? &e->history.redo : &e->history.undo;
     kg_editor_touch(e);
     kg_editor_update(e);
-    if (!same)
+    if (!same_reference(to->items[to->count - 1].model, kg_editor_model(e)))
         kg_editor_load_reference(e);
     return true;
 }

@@ -9,6 +9,7 @@
 
 static void clear_step(kg_step *step) {
     kg_model_destroy(step->model);
+    json_decref(step->stored);
     free(step->label);
 }
 
@@ -29,7 +30,7 @@ static void drop_oldest(kg_steps *steps) {
 
 kg_status kg_history_push(kg_history *h, kg_model *before, uint64_t state, const char *label,
                           kg_error *error) {
-    kg_step step = {before, strdup(label), state};
+    kg_step step = {before, NULL, strdup(label), state};
     if (!step.label || !kg_push(&h->undo, step)) {
         clear_step(&step);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory: this step cannot be undone");
@@ -38,26 +39,6 @@ kg_status kg_history_push(kg_history *h, kg_model *before, uint64_t state, const
     if (h->undo.count > KG_HISTORY_STEPS)
         drop_oldest(&h->undo);
     return KG_OK;
-}
-
-static bool exchange(kg_steps *from, kg_steps *to, kg_model *model, uint64_t *state) {
-    if (from->count == 0 || !kg_reserve(to, to->count + 1))
-        return false;
-    kg_step step = from->items[--from->count];
-    kg_model_swap(step.model, model);
-    uint64_t previous = *state;
-    *state = step.state;
-    step.state = previous;
-    to->items[to->count++] = step;
-    return true;
-}
-
-bool kg_history_undo(kg_history *h, kg_model *model, uint64_t *state) {
-    return exchange(&h->undo, &h->redo, model, state);
-}
-
-bool kg_history_redo(kg_history *h, kg_model *model, uint64_t *state) {
-    return exchange(&h->redo, &h->undo, model, state);
 }
 
 void kg_history_clear(kg_history *h) {
@@ -104,25 +85,23 @@ static json_t *write_step(const kg_model *state, const kg_model *next, const cha
 }
 
 /* The newest steps that fit into `*left` bytes, oldest first. Both lists lead away from `now`. */
-static json_t *write_steps(const kg_steps *steps, const kg_model *now, size_t *left) {
+static json_t *write_steps(kg_steps *steps, const kg_model *now, size_t *left) {
     json_t *list = json_array();
     const kg_model *next = now;
     for (size_t i = steps->count; i-- > 0 && list;) {
-        json_t *step = write_step(steps->items[i].model, next, steps->items[i].label);
-        size_t size = step ? json_dumpb(step, NULL, 0, JSON_COMPACT) : *left + 1;
-        if (size > *left) {
-            json_decref(step);
+        kg_step *step = &steps->items[i];
+        if (!step->stored) /* so it has a model, and so has the one after it */
+            step->stored = write_step(step->model, next, step->label);
+        size_t size = step->stored ? json_dumpb(step->stored, NULL, 0, JSON_COMPACT) : *left + 1;
+        if (size > *left || json_array_insert(list, 0, step->stored))
             break;
-        }
         *left -= size;
-        if (json_array_insert_new(list, 0, step))
-            break;
-        next = steps->items[i].model;
+        next = step->model;
     }
     return list;
 }
 
-kg_status kg_history_store(const kg_history *h, kg_model *now, kg_error *error) {
+kg_status kg_history_store(kg_history *h, kg_model *now, kg_error *error) {
     size_t left = KG_HISTORY_FILE_BYTES;
     json_t *root = now->json ? json_copy(now->json) : json_object(), *history = json_object();
     bool ok = root && history;
@@ -187,35 +166,54 @@ static kg_model *model_of(const json_t *tree, const kg_model *now) {
     return model;
 }
 
-static void reverse(kg_steps *steps) {
-    for (size_t i = 0; i < steps->count / 2; i++) {
-        kg_step held = steps->items[i];
-        steps->items[i] = steps->items[steps->count - 1 - i];
-        steps->items[steps->count - 1 - i] = held;
-    }
+/* The model of a step that is still as it was in the file, `next` being the state it leads from. */
+static bool understand(kg_step *step, const kg_model *next) {
+    if (step->model)
+        return true;
+    json_t *now = tree_of(next), *tree = now ? complete(step->stored, now) : NULL;
+    step->model = tree ? model_of(tree, next) : NULL;
+    json_decref(tree);
+    json_decref(now);
+    return step->model != NULL;
 }
 
-/* From the newest, which follows from the model itself, as far back as can be understood. */
-static void read_steps(const json_t *list, const kg_model *now, uint64_t *next_state,
-                       kg_steps *out) {
-    json_t *next = tree_of(now);
-    kg_steps steps = {0};
-    for (size_t i = json_array_size(list); i-- > 0 && next;) {
-        const json_t *entry = json_array_get(list, i);
-        const char *label = json_string_value(json_object_get(entry, "label"));
-        json_t *tree = complete(entry, next);
-        kg_step step = {tree ? model_of(tree, now) : NULL, strdup(label ? label : ""),
-                        (*next_state)++};
-        json_decref(next);
-        next = tree;
-        if (!step.model || !step.label || !kg_push(&steps, step)) {
+static bool exchange(kg_steps *from, kg_steps *to, kg_model *model, uint64_t *state) {
+    if (from->count == 0 || !kg_reserve(to, to->count + 1))
+        return false;
+    if (!understand(&from->items[from->count - 1], model)) {
+        clear_steps(from);
+        return false;
+    }
+    kg_step step = from->items[--from->count];
+    kg_model_swap(step.model, model);
+    uint64_t previous = *state;
+    *state = step.state;
+    step.state = previous;
+    json_decref(step.stored); /* it led the other way */
+    step.stored = NULL;
+    to->items[to->count++] = step;
+    return true;
+}
+
+bool kg_history_undo(kg_history *h, kg_model *model, uint64_t *state) {
+    return exchange(&h->undo, &h->redo, model, state);
+}
+
+bool kg_history_redo(kg_history *h, kg_model *model, uint64_t *state) {
+    return exchange(&h->redo, &h->undo, model, state);
+}
+
+static void read_steps(const json_t *list, uint64_t *next_state, kg_steps *out) {
+    for (size_t i = 0; i < json_array_size(list); i++) {
+        json_t *stored = json_array_get(list, i);
+        const char *label = json_string_value(json_object_get(stored, "label"));
+        kg_step step = {NULL, json_incref(stored), strdup(label ? label : ""), (*next_state)++};
+        if (!step.label || !kg_push(out, step)) {
             clear_step(&step);
-            break;
+            clear_steps(out); /* older ones alone lead nowhere */
+            return;
         }
     }
-    json_decref(next);
-    reverse(&steps);
-    *out = steps;
 }
 
 void kg_history_restore(kg_model *now, uint64_t *next_state, kg_history *out_history) {
@@ -226,8 +224,8 @@ void kg_history_restore(kg_model *now, uint64_t *next_state, kg_history *out_his
         json_object_del(rest, "history");
         json_decref(now->json);
         now->json = rest;
-        read_steps(json_object_get(stored, "undo"), now, next_state, &history.undo);
-        read_steps(json_object_get(stored, "redo"), now, next_state, &history.redo);
+        read_steps(json_object_get(stored, "undo"), next_state, &history.undo);
+        read_steps(json_object_get(stored, "redo"), next_state, &history.redo);
     }
     json_decref(stored);
     *out_history = history;

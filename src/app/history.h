@@ -15,9 +15,10 @@
 enum { KG_HISTORY_STEPS = 1000, KG_HISTORY_FILE_BYTES = 1 << 20 };
 
 typedef struct kg_step {
-    kg_model *model; /* the state to go back (or forward) to */
-    char *label;     /* what the step did: "Move points" */
-    uint64_t state;  /* number of that state, to know the saved one again */
+    kg_model *model;       /* the state to go back (or forward) to; NULL: only `stored` */
+    struct json_t *stored; /* as in the file; NULL: not written yet */
+    char *label;           /* what the step did: "Move points" */
+    uint64_t state;        /* number of that state, to know the saved one again */
 } kg_step;
 
 typedef struct kg_steps {
@@ -34,17 +35,18 @@ kg_status kg_history_push(kg_history *history, kg_model *before, uint64_t state,
                           kg_error *error) KG_CHECKED;
 
 /* Exchanges the model (and the number of its state) with the last undone or redone one; false when
- * there is none. `label` (static or owned by the history) is that of the step. */
+ * there is none, or when it came from a file and cannot be understood, which forgets the rest. */
 bool kg_history_undo(kg_history *history, kg_model *model, uint64_t *state);
 bool kg_history_redo(kg_history *history, kg_model *model, uint64_t *state);
 
 void kg_history_clear(kg_history *history);
 
-/* The model's "history" key, made from the history; the model itself is `now`. */
-kg_status kg_history_store(const kg_history *history, kg_model *now, kg_error *error) KG_CHECKED;
+/* The model's "history" key, made from the history; the model itself is `now`. What was written
+ * once is kept for the next time. */
+kg_status kg_history_store(kg_history *history, kg_model *now, kg_error *error) KG_CHECKED;
 
-/* Takes the "history" key out of a model just read. A history that cannot be understood is left
- * out: the model is what counts. `next_state` numbers the states. */
+/* Takes the "history" key out of a model just read. Its steps are looked into when they are undone:
+ * a file with a long history opens as fast as one without. `next_state` numbers the states. */
 void kg_history_restore(kg_model *now, uint64_t *next_state, kg_history *out_history);
 
 #endif

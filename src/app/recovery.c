@@ -32,7 +32,7 @@ double kg_recovery_due(const kg_app *app) {
 }
 
 /* A copy of the model that names its file. */
-static kg_status write_copy(const kg_editor *e, const char *path, kg_error *error) {
+static kg_status write_copy(kg_editor *e, const char *path, kg_error *error) {
     kg_model *copy = kg_model_copy(kg_editor_model(e));
     kg_document *document = NULL;
     if (!copy)
