@@ -139,12 +139,12 @@ kg_status kg_settings_write(const kg_settings *s, kg_error *error) {
     json_t *recent = json_array();
     for (int i = 0; i < KG_RECENT_COUNT && s->recent[i]; i++)
         json_array_append_new(recent, json_string(s->recent[i]));
-    json_t *root =
-        json_pack("{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:b, s:f, s:o, s:o}", "language", s->language,
-                  "navigation", s->navigation == KG_NAVIGATION_BLENDER ? "blender" : "default",
-                  "theme", s->theme == KG_UI_LIGHT ? "light" : "dark", "scale", s->scale,
-                  "autosave_minutes", s->autosave_minutes, "lift", s->lift, "step", s->step,
-                  "net_view", s->net_view, "net_share", s->net_share, "export", write_export(&s->export), "recent", recent);
+    json_t *root = json_pack(
+        "{s:s, s:s, s:s, s:f, s:f, s:f, s:f, s:b, s:f, s:o, s:o}", "language", s->language,
+        "navigation", s->navigation == KG_NAVIGATION_BLENDER ? "blender" : "default", "theme",
+        s->theme == KG_UI_LIGHT ? "light" : "dark", "scale", s->scale, "autosave_minutes",
+        s->autosave_minutes, "lift", s->lift, "step", s->step, "net_view", s->net_view, "net_share",
+        s->net_share, "export", write_export(&s->export), "recent", recent);
     char *text = root ? kg_json_text(root) : NULL;
     kg_status status = text ? kg_file_write(path, text, strlen(text), error)
                             : kg_fail(error, KG_ERR_MEMORY, "out of memory");
