@@ -6,11 +6,12 @@ static bool side_separates(const kg_vec2 *p, size_t p_count, const kg_vec2 *q, s
                            double tolerance) {
     for (size_t i = 0; i < p_count; i++) {
         kg_vec2 a = p[i], d = kg_sub2(p[i + 1 < p_count ? i + 1 : 0], a);
-        double length = kg_len2(d), limit = tolerance * length;
+        double limit = tolerance * tolerance * kg_dot2(d, d), depth;
         size_t k = 0;
-        if (length <= tolerance)
+        if (limit <= tolerance * tolerance * tolerance * tolerance)
             continue;
-        while (k < q_count && kg_cross2(d, kg_sub2(q[k], a)) <= limit)
+        while (k < q_count &&
+               ((depth = kg_cross2(d, kg_sub2(q[k], a))) <= 0 || depth * depth <= limit))
             k++;
         if (k == q_count)
             return true;
@@ -22,6 +23,16 @@ bool kg_convex_overlap(const kg_vec2 *p, size_t p_count, const kg_vec2 *q, size_
                        double tolerance) {
     return !side_separates(p, p_count, q, q_count, tolerance) &&
            !side_separates(q, q_count, p, p_count, tolerance);
+}
+
+bool kg_convex_holds(const kg_vec2 *p, size_t p_count, kg_vec2 point, double tolerance) {
+    for (size_t i = 0; i < p_count; i++) {
+        kg_vec2 a = p[i], d = kg_sub2(p[i + 1 < p_count ? i + 1 : 0], a);
+        double depth = kg_cross2(d, kg_sub2(point, a));
+        if (depth <= 0 || depth * depth <= tolerance * tolerance * kg_dot2(d, d))
+            return false;
+    }
+    return true;
 }
 
 size_t kg_convex_clip(const kg_vec2 *p, size_t p_count, kg_vec2 m, double offset, kg_vec2 *out) {

@@ -9,6 +9,9 @@
 bool kg_convex_overlap(const kg_vec2 *p, size_t p_count, const kg_vec2 *q, size_t q_count,
                        double tolerance);
 
+/* The point is inside, farther than `tolerance` from every side. */
+bool kg_convex_holds(const kg_vec2 *p, size_t p_count, kg_vec2 point, double tolerance);
+
 /* The part of `p` where  dot(m, x) >= offset;  `out` holds p_count + 2. Returns its count, 0 when
  * nothing is left (Sutherland and Hodgman 1974). */
 size_t kg_convex_clip(const kg_vec2 *p, size_t p_count, kg_vec2 m, double offset, kg_vec2 *out);

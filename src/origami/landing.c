@@ -120,31 +120,31 @@ static kg_vec2 middle(const kg_vec2 *p, size_t n) {
     return kg_scale2(sum, 1 / (double)n);
 }
 
-/* How a moving loop arrives at one at rest: 1 from above, -1 from below, 0 along the plane. In a
- * plane through the axis it is the same all over the loop; elsewhere the common part tells. */
-static kg_status arrival(const landing *l, int32_t moving, int32_t resting, bool through_axis,
-                         int *out_above) {
-    const kg_outlines *o = &l->outlines;
+/* How a moving loop arrives at a point of its plane: 1 from above, -1 from below, 0 along it. */
+static int arrival_at(const landing *l, int32_t moving, kg_vec2 at) {
     const kg_face_group *g = &l->after->groups.items[l->after->loops.items[moving].group];
-    kg_vec2 at = middle(kg_outline_points(o, moving), kg_outline_size(o, moving));
-    if (!through_axis) {
-        size_t na = kg_outline_size(o, moving), nb = kg_outline_size(o, resting);
-        kg_vec2 *scratch = malloc(2 * (na + nb + 2) * sizeof *scratch);
-        if (!scratch)
-            return KG_ERR_MEMORY;
-        size_t n = kg_convex_common(kg_outline_points(o, moving), na, kg_outline_points(o, resting),
-                                    nb, scratch, scratch + na + nb + 2);
-        if (n > 0)
-            at = middle(scratch, n);
-        free(scratch);
-    }
     kg_vec3 u, v;
     kg_plane_axes(g->normal, &u, &v);
     kg_vec3 p =
         kg_add(kg_scale(g->normal, g->offset), kg_add(kg_scale(u, at.x), kg_scale(v, at.y)));
     double towards = kg_dot(kg_fold_velocity(&l->folding->axis, p), g->normal);
-    double least = l->after->touch;
-    *out_above = towards < -least ? 1 : towards > least ? -1 : 0;
+    return towards < -l->after->touch ? 1 : towards > l->after->touch ? -1 : 0;
+}
+
+/* The same at the part that it has in common with one at rest. */
+static kg_status arrival(const landing *l, int32_t moving, int32_t resting, int *out_above) {
+    const kg_outlines *o = &l->outlines;
+    kg_vec2 at = o->middles[moving];
+    size_t na = kg_outline_size(o, moving), nb = kg_outline_size(o, resting);
+    kg_vec2 *scratch = malloc(2 * (na + nb + 2) * sizeof *scratch);
+    if (!scratch)
+        return KG_ERR_MEMORY;
+    size_t n = kg_convex_common(kg_outline_points(o, moving), na, kg_outline_points(o, resting), nb,
+                                scratch, scratch + na + nb + 2);
+    if (n > 0)
+        at = middle(scratch, n);
+    free(scratch);
+    *out_above = arrival_at(l, moving, at);
     return KG_OK;
 }
 
@@ -160,13 +160,15 @@ static kg_status land_loop(landing *l, int32_t moving, const int32_t between[2],
                         fabs(kg_dot(g->normal, a->origin) - g->offset) < KG_ON_PLANE * s->size;
     bool own = is_flat(a) && group == a->group &&
                l->folding->state->loops.items[l->parts->parents[moving]].group == a->group;
+    /* in a plane through the axis it arrives the same way everywhere */
+    int common = through_axis ? arrival_at(l, moving, l->outlines.middles[moving]) : 0;
     for (size_t i = 0; i < s->loops.count; i++) {
         int32_t resting = (int32_t)i;
         if (l->parts->moves[i] || s->loops.items[i].group != group ||
             !kg_outlines_overlap(&l->outlines, moving, resting, s->touch))
             continue;
-        int above;
-        kg_status status = arrival(l, moving, resting, through_axis, &above);
+        int above = common;
+        kg_status status = through_axis ? KG_OK : arrival(l, moving, resting, &above);
         if (status)
             return status;
         if (own && l->upper) {

@@ -10,8 +10,9 @@ kg_status kg_outlines_create(const kg_origami_state *s, kg_outlines *out) {
     kg_outlines o = {.starts = calloc(n + 1, sizeof *o.starts),
                      .points = calloc(s->halves.count + 1, sizeof *o.points),
                      .boxes = calloc(n + 1, sizeof *o.boxes),
+                     .middles = calloc(n + 1, sizeof *o.middles),
                      .facing = calloc(n + 1, 1)};
-    if (!o.starts || !o.points || !o.boxes || !o.facing) {
+    if (!o.starts || !o.points || !o.boxes || !o.middles || !o.facing) {
         kg_outlines_clear(&o);
         return KG_ERR_MEMORY;
     }
@@ -27,8 +28,10 @@ kg_status kg_outlines_create(const kg_origami_state *s, kg_outlines *out) {
             p[a] = p[b], p[b] = swap;
         }
         o.boxes[i] = kg_box2_empty();
-        for (size_t k = 0; k < count; k++)
+        for (size_t k = 0; k < count; k++) {
             kg_box2_add(&o.boxes[i], p[k]);
+            o.middles[i] = kg_add2(o.middles[i], kg_scale2(p[k], 1 / (double)count));
+        }
     }
     *out = o;
     return KG_OK;
@@ -38,16 +41,21 @@ void kg_outlines_clear(kg_outlines *o) {
     free(o->starts);
     free(o->points);
     free(o->boxes);
+    free(o->middles);
     free(o->facing);
     *o = (kg_outlines){0};
 }
 
 bool kg_outlines_overlap(const kg_outlines *o, int32_t a, int32_t b, double tolerance) {
     const kg_box2 *x = &o->boxes[a], *y = &o->boxes[b];
-    return x->lo.x + tolerance < y->hi.x && y->lo.x + tolerance < x->hi.x &&
-           x->lo.y + tolerance < y->hi.y && y->lo.y + tolerance < x->hi.y &&
-           kg_convex_overlap(kg_outline_points(o, a), kg_outline_size(o, a),
-                             kg_outline_points(o, b), kg_outline_size(o, b), tolerance);
+    if (!(x->lo.x + tolerance < y->hi.x && y->lo.x + tolerance < x->hi.x &&
+          x->lo.y + tolerance < y->hi.y && y->lo.y + tolerance < x->hi.y))
+        return false;
+    const kg_vec2 *p = kg_outline_points(o, a), *q = kg_outline_points(o, b);
+    size_t n = kg_outline_size(o, a), m = kg_outline_size(o, b);
+    /* in a stack most loops hold each other's middles */
+    return kg_convex_holds(q, m, o->middles[a], tolerance) ||
+           kg_convex_overlap(p, n, q, m, tolerance);
 }
 
 /* ---- orders ----------------------------------------------------------------------------- */

@@ -10,6 +10,7 @@ typedef struct kg_outlines {
     size_t *starts; /* loop count + 1 */
     kg_vec2 *points;
     kg_box2 *boxes;
+    kg_vec2 *middles;    /* means of the corners */
     signed char *facing; /* 1: the loop's front is on the side of the group's normal, else -1 */
 } kg_outlines;
 
