@@ -3,6 +3,7 @@
 #include "katagami/unroll.h"
 #include "net/clash.h"
 #include "net/drawing.h"
+#include "net/tab_place.h"
 #include "tests/model/random_model.h"
 #include "tests/net/tab_check.h"
 
@@ -55,6 +56,25 @@ static void check_pages(const kg_net *net, bool nest) {
     kg_net_layout_destroy(layout);
 }
 
+/* Slivers of random models may be thinner than the chords of their two sides are true, so that
+ * these cross on paper. */
+static bool has_crossing_sliver(const kg_net *net) {
+    GEOSContextHandle_t geos = GEOS_init_r();
+    bool found = false;
+    for (size_t i = 0; i < net->part_count; i++) {
+        kg_net_line contours[16];
+        kg_vec2 at;
+        assert_true(net->parts[i].loop_count <= 16);
+        for (size_t k = 0; k < net->parts[i].loop_count; k++)
+            contours[k] = net->parts[i].loops[k].line;
+        found |= !kg_tab_contours_valid(geos, contours, net->parts[i].loop_count, &at);
+    }
+    GEOS_finish_r(geos);
+    return found;
+}
+
+static int slivers;
+
 /* Tabs are checked by GEOS in tab_make. */
 static size_t check_model(const kg_model *model, double tolerance, bool nest) {
     kg_solution *solution;
@@ -63,7 +83,10 @@ static size_t check_model(const kg_model *model, double tolerance, bool nest) {
     assert_int_equal(kg_solution_create(model, tolerance, NULL, &solution, NULL), KG_OK);
     assert_int_equal(kg_unroll(model, solution, &unrolled, NULL), KG_OK);
     size_t joins = unrolled->net->join_count;
-    if (unrolled->net->part_count > 0) {
+    if (has_crossing_sliver(unrolled->net)) {
+        slivers++;
+        joins = 0;
+    } else if (unrolled->net->part_count > 0) {
         kg_tab_options options = kg_tab_options_default();
         options.bends = (const double *const *)unrolled->bends;
         kg_net *net = tab_make(unrolled->net, &options, &report);
@@ -86,6 +109,7 @@ static void random_models_have_sound_nets(void **state) {
         kg_model_destroy(model);
     }
     assert_int_equal(joined, 200);
+    assert_in_range(slivers, 0, 4);
 }
 
 static void samples_have_sound_nets(void **state) {
@@ -98,7 +122,9 @@ static void samples_have_sound_nets(void **state) {
         snprintf(path, sizeof path, "%s/data/%s.katagami", SOURCE_ROOT, names[i]);
         if (kg_model_read(path, &model, &error))
             fail_msg("%s", error.message);
+        slivers = 0;
         check_model(model, 0.002, true);
+        assert_int_equal(slivers, 0);
         kg_model_destroy(model);
     }
 }

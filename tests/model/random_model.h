@@ -49,7 +49,7 @@ static inline kg_patch_input flat_input(kg_vec3 from, kg_vec3 to, kg_vec3 ruling
 }
 
 static inline kg_vec3 random_place(kg_random *r) {
-    return kg_v3(kg_random_in(r, -40, 60), kg_random_in(r, -30, 70), kg_random_in(r, -80, 20));
+    return kg_random_v3(r, (double[6]){-40, 60, -30, 70, -80, 20});
 }
 
 /* A trim of a patch by one of the others. */
@@ -60,7 +60,7 @@ static inline kg_trim_op random_trim(kg_random *r, const kg_model *m, int64_t id
                          .contour_count = 3,
                          .contour = checked(malloc(3 * sizeof *op.contour))};
         for (int i = 0; i < 3; i++)
-            op.contour[i] = kg_v2(kg_random_in(r, -20, 20), kg_random_in(r, 0, 1));
+            op.contour[i] = kg_random_v2(r, (double[4]){-20, 20, 0, 1});
         return op;
     }
     int64_t by;
@@ -91,8 +91,7 @@ static inline kg_model *random_model(kg_random *r, size_t count) {
         kg_patch probe;
         do {
             in = random_input(r, (patch_kind)(kg_random_bits(r) % (KIND_COUNT - 1) + 1), 4);
-            kg_vec3 move =
-                kg_v3(kg_random_in(r, -20, 20), kg_random_in(r, -20, 20), kg_random_in(r, -20, 20));
+            kg_vec3 move = kg_random_v3(r, (double[6]){-20, 20, -20, 20, -20, 20});
             kg_vec3 middle = kg_scale(kg_add(in.points[1], in.points[2]), 0.5);
             for (size_t k = 0; k < in.point_count; k++)
                 in.points[k] = kg_add(kg_sub(in.points[k], middle), move);

@@ -5,10 +5,26 @@
 #include "katagami/patch.h"
 #include "tests/check.h"
 
+/* Coordinates drawn one after the other: compilers call the arguments of a function in different
+ * orders, and models should be the same with all of them. `range`: lo, hi of x, then y, then z. */
+static inline kg_vec3 kg_random_v3(kg_random *r, const double range[6]) {
+    kg_vec3 v;
+    v.x = kg_random_in(r, range[0], range[1]);
+    v.y = kg_random_in(r, range[2], range[3]);
+    v.z = kg_random_in(r, range[4], range[5]);
+    return v;
+}
+static inline kg_vec2 kg_random_v2(kg_random *r, const double range[4]) {
+    kg_vec2 v;
+    v.x = kg_random_in(r, range[0], range[1]);
+    v.y = kg_random_in(r, range[2], range[3]);
+    return v;
+}
+
 static inline kg_vec3 random_direction(kg_random *r) {
     kg_vec3 d;
     do
-        d = kg_v3(kg_random_in(r, -1, 1), kg_random_in(r, -1, 1), kg_random_in(r, -1, 1));
+        d = kg_random_v3(r, (double[6]){-1, 1, -1, 1, -1, 1});
     while (kg_len(d) > 1 || kg_len(d) < 0.1);
     return kg_unit(d);
 }

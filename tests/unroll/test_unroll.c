@@ -124,7 +124,9 @@ static void assert_sides_meet(const made *m, const kg_net_join *j) {
     }
 }
 
-static void assert_true_sizes(const made *m) {
+/* `blur`: mm by which cuts that nearly touch may stray from the exact curve where it is no longer
+ * defined. */
+static void assert_true_sizes_to(const made *m, double blur) {
     for (size_t i = 0; i < m->net->part_count; i++) {
         const kg_net_part *p = &m->net->parts[i];
         double shoelace = 0;
@@ -135,10 +137,14 @@ static void assert_true_sizes(const made *m) {
         }
         assert_true(shoelace > 0);
         assert_true(p->isometry_error < 1e-6);
-        assert_near(p->area, p->surface, 1e-6 * p->surface);
+        assert_near(p->area, p->surface, 1e-6 * p->surface + blur * p->perimeter);
         double slack = kg_solution_tolerance(m->solution) * p->perimeter;
         assert_near(shoelace, p->area, slack);
     }
+}
+
+static void assert_true_sizes(const made *m) {
+    assert_true_sizes_to(m, 0);
 }
 
 static size_t count_joins(const made *m, kg_net_join_kind kind, int64_t a, int64_t b) {
@@ -251,7 +257,7 @@ static void random_models_unroll_truly(void **state) {
             insert_trim(q, 0, trim_by(p->id));
         }
         made m = make_at(model, 0.005);
-        assert_true_sizes(&m);
+        assert_true_sizes_to(&m, 1e-4);
         for (size_t i = 0; i < m.net->join_count; i++) {
             assert_sides_meet(&m, &m.net->joins[i]);
             *(m.net->joins[i].kind == KG_JOIN_SEAM ? &seams : &contacts) += 1;
