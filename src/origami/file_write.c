@@ -48,26 +48,26 @@ static json_t *write_sheet(const kg_paper_sheet *s) {
     return o;
 }
 
+/* Sets a member that is there, takes out one that is not; what stays keeps its place. */
+static void set_if(json_t *o, const char *key, bool is_there, json_t *value) {
+    if (is_there)
+        json_object_set(o, key, value);
+    else
+        json_object_del(o, key);
+    json_decref(value);
+}
+
 static json_t *write_fold(const kg_fold *f) {
     json_t *o = start(f->json);
-    static const char *const keys[] = {"from", "to", "axis", "vertex", "face", "layers", "between"};
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        json_object_del(o, keys[i]);
-    if (f->by_axis) {
-        json_object_set_new(
-            o, "axis", json_pack("[o,o]", point(&f->points[0].x, 3), point(&f->points[1].x, 3)));
-        json_object_set_new(o, "vertex", point(&f->vertex.x, 3));
-    } else {
-        json_object_set_new(o, "from", point(&f->points[0].x, 3));
-        json_object_set_new(o, "to", point(&f->points[1].x, 3));
-    }
-    json_object_set_new(o, "angle_deg", number(f->angle_deg));
-    if (f->face >= 0)
-        json_object_set_new(o, "face", json_integer(f->face));
-    if (f->layers > 0)
-        json_object_set_new(o, "layers", json_integer(f->layers));
-    if (f->between[0] >= 0)
-        json_object_set_new(o, "between", json_pack("[i,i]", f->between[0], f->between[1]));
+    set_if(o, "from", !f->by_axis, point(&f->points[0].x, 3));
+    set_if(o, "to", !f->by_axis, point(&f->points[1].x, 3));
+    set_if(o, "axis", f->by_axis,
+           json_pack("[o,o]", point(&f->points[0].x, 3), point(&f->points[1].x, 3)));
+    set_if(o, "vertex", f->by_axis, point(&f->vertex.x, 3));
+    set_if(o, "angle_deg", true, number(f->angle_deg));
+    set_if(o, "face", f->face >= 0, json_integer(f->face));
+    set_if(o, "layers", f->layers > 0, json_integer(f->layers));
+    set_if(o, "between", f->between[0] >= 0, json_pack("[i,i]", f->between[0], f->between[1]));
     return o;
 }
 
