@@ -1,9 +1,4 @@
 /* katagami new: an empty patch model over a reference mesh. */
-
-/* realpath is an extension of POSIX */
-#undef _POSIX_C_SOURCE
-#define _XOPEN_SOURCE 700
-
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/document.h"
@@ -18,41 +13,6 @@ static const kg_option options[] = {
     {"title", 0, true, "TEXT", "title of the model (the mesh's name)"},
     {"up", 0, true, "AXIS", "y or z, what points up in the mesh (z)"},
 };
-
-/* How the model file names the mesh: relative to its own folder. */
-static char *relative_to(const char *model, const char *mesh) {
-    char *folder = strdup(model), *from, *to, *result = NULL;
-    char *slash = folder ? strrchr(folder, '/') : NULL;
-    if (slash)
-        slash[slash == folder] = '\0';
-    from = folder ? realpath(slash ? folder : ".", NULL) : NULL;
-    to = realpath(mesh, NULL);
-    if (from && to) {
-        size_t common = 0;
-        for (size_t i = 0;; i++) {
-            bool end_from = from[i] == '\0', end_to = to[i] == '\0';
-            if ((end_from || from[i] == '/') && (end_to || to[i] == '/'))
-                common = i;
-            if (end_from || end_to || from[i] != to[i])
-                break;
-        }
-        size_t ups = 0;
-        for (const char *p = from + common; *p; p++)
-            ups += *p == '/' && p[1] != '\0';
-        const char *tail = to + common + (to[common] == '/');
-        result = malloc(3 * ups + strlen(tail) + 1);
-        if (result) {
-            result[0] = '\0';
-            for (size_t i = 0; i < ups; i++)
-                strcat(result, "../");
-            strcat(result, tail);
-        }
-    }
-    free(folder);
-    free(from);
-    free(to);
-    return result;
-}
 
 static char *title_of(const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
@@ -70,7 +30,7 @@ static kg_status write_new(const kg_arguments *a, const char *output, const char
     if (!status && model) {
         free(model->title);
         model->title = title ? strdup(title) : title_of(reference);
-        model->reference.file = relative_to(output, reference);
+        model->reference.file = kg_document_relative(output, reference);
         model->reference.size_mm = size;
         model->reference.up_y = up_y;
     }
