@@ -105,6 +105,39 @@ static kg_status add_model(stage *s, kg_document *d, kg_error *error) {
     return status;
 }
 
+/* Construction patches are no part of the surface: a faint sheet shows where they cut. */
+static kg_status add_construction(stage *s, const kg_solved_patch *p, kg_error *error) {
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < p->regions.count && !status; i++) {
+        kg_tessellation t;
+        kg_shape *shape;
+        status = kg_region_tessellate(&p->patch, &p->regions.items[i], &t, error);
+        if (status)
+            break;
+        kg_vec3 *points = malloc((t.vertex_count + 1) * sizeof *points);
+        for (size_t k = 0; k < t.vertex_count && points; k++)
+            points[k] = t.vertices[k].position;
+        kg_surface surface = {t.vertex_count, points, NULL, t.triangle_count, t.triangles};
+        status = points ? kg_shape_from_surface(&surface, &shape, error)
+                        : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+        if (!status)
+            status =
+                stage_add(s, shape, kg_style_default((kg_color){0.5F, 0.5F, 0.55F, 0.2F}), error);
+        free(points);
+        kg_tessellation_clear(&t);
+    }
+    return status;
+}
+
+static kg_status add_constructions(stage *s, const kg_document *d, kg_error *error) {
+    const kg_solution *solution = kg_document_solution(d);
+    kg_status status = KG_OK;
+    for (size_t i = 0; solution && i < kg_solution_count(solution) && !status; i++)
+        if (kg_solution_patch(solution, i)->construction)
+            status = add_construction(s, kg_solution_patch(solution, i), error);
+    return status;
+}
+
 static kg_status add_reference(stage *s, kg_document *d, double opacity, kg_error *error) {
     if (!kg_document_model(d))
         return KG_OK;
@@ -136,6 +169,8 @@ static kg_status draw(kg_document *d, const picture *p, const char *path, kg_err
     size_t groups = solution  ? kg_solution_count(solution)
                     : origami ? kg_origami_state_at(origami, 0)->loops.count
                               : 0;
+    for (size_t i = 0; solution && i < kg_solution_count(solution); i++)
+        groups += kg_solution_patch(solution, i)->regions.count;
     stage s = {.capacity = 2 * groups + MAX_ITEMS};
     s.shapes = calloc(s.capacity, sizeof *s.shapes);
     s.items = calloc(s.capacity, sizeof *s.items);
@@ -145,6 +180,8 @@ static kg_status draw(kg_document *d, const picture *p, const char *path, kg_err
         status = kg_renderer_create(&renderer, error);
     if (!status)
         status = add_model(&s, d, error);
+    if (!status)
+        status = add_constructions(&s, d, error);
     if (!status)
         status = add_reference(&s, d, p->opacity, error);
     if (!status) {
