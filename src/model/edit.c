@@ -1,11 +1,10 @@
 #include "model/edit.h"
 
+#include "model/clear.h"
+
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Coordinates beyond this are errors of the file format, so no edit may make them. */
-#define FARTHEST 1e6
 
 static kg_status no_memory(kg_error *error) {
     return kg_fail(error, KG_ERR_MEMORY, "out of memory");
@@ -18,22 +17,6 @@ static kg_status find(const kg_model *m, int64_t id, size_t *out_index, kg_error
             return KG_OK;
         }
     return kg_fail(error, KG_ERR_INPUT, "there is no patch %lld", (long long)id);
-}
-
-static void clear_op(kg_trim_op *op) {
-    free(op->by);
-    free(op->keep);
-    free(op->contour);
-    json_decref(op->json);
-    *op = (kg_trim_op){0};
-}
-
-static void clear_patch(kg_model_patch *p) {
-    for (size_t i = 0; i < p->trim_count; i++)
-        clear_op(&p->trims[i]);
-    free(p->trims);
-    free(p->name);
-    json_decref(p->json);
 }
 
 /* ---- patches ---------------------------------------------------------------------------- */
@@ -97,7 +80,7 @@ kg_status kg_model_remove_patch(kg_model *m, int64_t id, kg_error *error) {
     kg_status status = find(m, id, &index, error);
     if (status)
         return status;
-    clear_patch(&m->patches[index]);
+    kg_model_patch_clear(&m->patches[index]);
     m->patch_count--;
     memmove(&m->patches[index], &m->patches[index + 1],
             (m->patch_count - index) * sizeof *m->patches);
@@ -106,7 +89,7 @@ kg_status kg_model_remove_patch(kg_model *m, int64_t id, kg_error *error) {
         size_t kept = 0;
         for (size_t n = 0; n < p->trim_count; n++)
             if (forget_cutter(&p->trims[n], id))
-                clear_op(&p->trims[n]);
+                kg_trim_op_clear(&p->trims[n]);
             else
                 p->trims[kept++] = p->trims[n];
         p->trim_count = kept;
@@ -180,7 +163,8 @@ kg_similarity kg_similarity_turn(kg_vec3 center, kg_vec3 a, double angle) {
 }
 
 static bool in_range(kg_vec3 p) {
-    return fabs(p.x) <= FARTHEST && fabs(p.y) <= FARTHEST && fabs(p.z) <= FARTHEST;
+    return fabs(p.x) <= KG_MAX_COORDINATE && fabs(p.y) <= KG_MAX_COORDINATE &&
+           fabs(p.z) <= KG_MAX_COORDINATE;
 }
 
 /* A straight geodesic's rulings follow a wish; a mirrored one has to say which side they take. */
@@ -251,7 +235,7 @@ kg_status kg_model_add_trim(kg_model *m, int64_t patch, kg_trim_op *op, kg_error
         }
         status = no_memory(error);
     }
-    clear_op(op);
+    kg_trim_op_clear(op);
     return status;
 }
 
@@ -273,7 +257,7 @@ kg_status kg_model_remove_trim(kg_model *m, int64_t patch, size_t index, kg_erro
     kg_status status = find_trim(m, patch, index, &p, error);
     if (status)
         return status;
-    clear_op(&p->trims[index]);
+    kg_trim_op_clear(&p->trims[index]);
     p->trim_count--;
     memmove(&p->trims[index], &p->trims[index + 1], (p->trim_count - index) * sizeof *p->trims);
     return KG_OK;

@@ -1,19 +1,22 @@
 #include "katagami/model.h"
 
+#include "model/clear.h"
+
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void clear_op(kg_trim_op *op) {
+void kg_trim_op_clear(kg_trim_op *op) {
     free(op->by);
     free(op->keep);
     free(op->contour);
     json_decref(op->json);
+    *op = (kg_trim_op){0};
 }
 
-static void clear_patch(kg_model_patch *p) {
+void kg_model_patch_clear(kg_model_patch *p) {
     for (size_t i = 0; i < p->trim_count; i++)
-        clear_op(&p->trims[i]);
+        kg_trim_op_clear(&p->trims[i]);
     free(p->trims);
     free(p->name);
     json_decref(p->json);
@@ -40,7 +43,7 @@ void kg_model_destroy(kg_model *m) {
     if (!m)
         return;
     for (size_t i = 0; i < m->patch_count; i++)
-        clear_patch(&m->patches[i]);
+        kg_model_patch_clear(&m->patches[i]);
     free(m->patches);
     free(m->title);
     free(m->reference.file);

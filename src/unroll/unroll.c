@@ -10,21 +10,12 @@
 
 /* ---- parts ------------------------------------------------------------------------------ */
 
-/* The measure of an edge; most are one stretch, which has been measured. */
-static kg_measure measure_edge(const kg_pieces *all, kg_edge_ref edge) {
-    double count = (double)kg_piece_edge(all, edge)->count;
-    size_t first, end;
-    kg_piece_stretches(all, edge, &first, &end);
-    if (end == first + 1 && all->stretches[first].from == 0 && all->stretches[first].to == count)
-        return all->stretches[first].measure;
-    return kg_piece_measure(all, edge, 0, count);
-}
-
 static void measure_part(const kg_pieces *all, size_t piece, kg_net_part *part) {
     const kg_region *region = all->items[piece].region;
     for (size_t k = 0; k < region->loop_count; k++)
         for (size_t e = 0; e < region->loops[k].edge_count; e++) {
-            kg_measure m = measure_edge(all, (kg_edge_ref){piece, k, e});
+            kg_measure m = kg_piece_measure(all, (kg_edge_ref){piece, k, e}, 0,
+                                            (double)region->loops[k].edges[e].count);
             part->surface += m.space_moment;
             part->area += m.paper_moment;
             part->perimeter += m.paper_length;
