@@ -139,12 +139,26 @@ typedef struct kg_origami kg_origami;
 /* Sheets without any, to be added. NULL when memory runs out. */
 KG_API kg_origami *kg_origami_create(void);
 KG_API void kg_origami_destroy(kg_origami *origami);
+/* All of it, with the folds that can be done again. States, which never change, are shared, so that
+ * a copy costs no more than its lists; copies may be used by different threads. NULL when memory
+ * runs out. */
+KG_API kg_origami *kg_origami_copy(const kg_origami *origami);
+/* Do both hold the same: title, sheets, colours, folds done and to be done again, and all keys of
+ * their files? */
+KG_API bool kg_origami_equal(const kg_origami *a, const kg_origami *b);
 
-/* Puts a sheet on top of the others (copied). Only before the first fold. Errors: KG_ERR_INPUT for
- * polygons of fewer than 3 corners, that cross or touch themselves, without area, or beyond
- * 1e6 mm; KG_ERR_MEMORY. */
+/* Puts a sheet on top of the others (copied). Only before the first fold, and not in crease
+ * patterns; folds that could be done again are forgotten. Errors: KG_ERR_INPUT for polygons of
+ * fewer than 3 corners, that cross or touch themselves, without area, or beyond 1e6 mm;
+ * KG_ERR_MEMORY. */
 KG_API kg_status kg_origami_add_sheet(kg_origami *origami, const kg_paper_sheet *sheet,
                                       kg_error *error) KG_CHECKED;
+/* Takes a sheet away, or gives it another polygon (copied): moved, turned or cut otherwise. When
+ * and errors as above; also KG_ERR_INPUT for no such sheet. */
+KG_API kg_status kg_origami_remove_sheet(kg_origami *origami, size_t index,
+                                         kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_place_sheet(kg_origami *origami, size_t index, const kg_vec2 *polygon,
+                                        size_t count, kg_error *error) KG_CHECKED;
 KG_API size_t kg_origami_sheet_count(const kg_origami *origami);
 KG_API const kg_paper_sheet *kg_origami_sheet(const kg_origami *origami, size_t index);
 
@@ -176,6 +190,10 @@ KG_API void kg_origami_between(const kg_origami *origami, size_t step, double fr
 /* Colours of a sheet, 0xrrggbb; of sheets of imported patterns, red and white. */
 KG_API void kg_origami_colours(const kg_origami *origami, int32_t sheet, uint32_t *out_front,
                                uint32_t *out_back);
+/* At any time. Sheets of crease patterns are then listed, as the boxes around them, for their
+ * colours. KG_ERR_INPUT: there is no such sheet. */
+KG_API kg_status kg_origami_set_colours(kg_origami *origami, size_t sheet, uint32_t front,
+                                        uint32_t back, kg_error *error) KG_CHECKED;
 
 /* ---- drawing ---------------------------------------------------------------------------- */
 
@@ -244,6 +262,14 @@ KG_API kg_status kg_origami_write_memory(const kg_origami *origami, char **out_t
                                          size_t *out_size, kg_error *error) KG_CHECKED;
 /* Never NULL. */
 KG_API const char *kg_origami_title(const kg_origami *origami);
+/* The value of a key of the model file beside its title and origami, such as "net"; NULL: none.
+ * Borrowed, and not to be changed. */
+KG_API const struct json_t *kg_origami_key(const kg_origami *origami, const char *key);
+/* Replaces it, or takes it out (`value` NULL). Takes `value` over, also on failure. */
+KG_API kg_status kg_origami_set_key(kg_origami *origami, const char *key, struct json_t *value,
+                                    kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_set_title(kg_origami *origami, const char *title,
+                                      kg_error *error) KG_CHECKED;
 
 #ifdef __cplusplus
 }

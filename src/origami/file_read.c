@@ -247,6 +247,7 @@ static kg_status read_model(kg_json_place *p, const json_t *root, kg_origami *o)
         kg_layer_report report = kg_layer_report_default();
         kg_json_enter(p, "pattern", 0);
         status = kg_fold_read(p, pattern, &report, &s);
+        o->pattern = true;
         kg_json_leave(p);
     } else if (!status) {
         status = kg_state_from_sheets(o->sheets.items, o->sheets.count, &s, p->error);
@@ -355,6 +356,7 @@ kg_status kg_origami_import_memory(const char *data, size_t size, const char *na
         return status;
     }
     set_start(o, s);
+    o->pattern = true;
     *out_origami = o;
     return KG_OK;
 }

@@ -71,11 +71,6 @@ static json_t *write_fold(const kg_fold *f) {
     return o;
 }
 
-/* An origami that began as a crease pattern keeps it as a FOLD object. */
-static bool from_pattern(const kg_origami *o) {
-    return o->sheets.count == 0 && o->states.items[0]->loops.count > 0;
-}
-
 kg_status kg_origami_write_memory(const kg_origami *o, char **out_text, size_t *out_size,
                                   kg_error *error) {
     json_t *root = start(o->json), *origami = root ? start(json_object_get(root, "origami")) : NULL,
@@ -91,7 +86,10 @@ kg_status kg_origami_write_memory(const kg_origami *o, char **out_text, size_t *
               json_object_set(origami, "folds", folds) == 0;
     if (ok && o->title[0])
         ok = json_object_set_new(root, "title", json_string(o->title)) == 0;
-    if (ok && from_pattern(o) && !json_object_get(origami, "pattern"))
+    if (!o->title[0] && root)
+        json_object_del(root, "title");
+    /* the crease pattern that it began as is kept as a FOLD object */
+    if (ok && o->pattern && !json_object_get(origami, "pattern"))
         ok = json_object_set_new(origami, "pattern",
                                  kg_fold_json(o->states.items[0], NULL, 0, o->title)) == 0;
     ok = ok && json_object_set(root, "origami", origami) == 0;

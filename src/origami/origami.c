@@ -30,16 +30,19 @@ static void cut_folds(kg_origami *o, size_t count) {
         kg_state_destroy(o->states.items[--o->states.count]);
 }
 
+static void clear_sheet(kg_paper_sheet *sheet) {
+    free(sheet->polygon);
+    json_decref(sheet->json);
+}
+
 void kg_origami_destroy(kg_origami *o) {
     if (!o)
         return;
     cut_folds(o, 0);
     for (size_t i = 0; i < o->states.count; i++)
         kg_state_destroy(o->states.items[i]);
-    for (size_t i = 0; i < o->sheets.count; i++) {
-        free(o->sheets.items[i].polygon);
-        json_decref(o->sheets.items[i].json);
-    }
+    for (size_t i = 0; i < o->sheets.count; i++)
+        clear_sheet(&o->sheets.items[i]);
     free(o->sheets.items);
     free(o->folds.items);
     free(o->states.items);
@@ -48,30 +51,97 @@ void kg_origami_destroy(kg_origami *o) {
     free(o);
 }
 
-kg_status kg_origami_add_sheet(kg_origami *o, const kg_paper_sheet *sheet, kg_error *error) {
-    if (o->folds.count > 0)
-        return kg_fail(error, KG_ERR_INPUT, "sheets come before the first fold");
-    kg_status status = kg_sheet_check(sheet, error);
+/* ---- sheets ----------------------------------------------------------------------------- */
+
+bool kg_sheet_copy(const kg_paper_sheet *sheet, kg_paper_sheet *out) {
+    *out = *sheet;
+    out->polygon = malloc(sheet->count * sizeof *out->polygon + 1);
+    if (!out->polygon)
+        return false;
+    memcpy(out->polygon, sheet->polygon, sheet->count * sizeof *out->polygon);
+    json_incref(out->json);
+    return true;
+}
+
+static kg_status check_unfolded(const kg_origami *o, kg_error *error) {
+    if (o->pattern)
+        return kg_fail(error, KG_ERR_INPUT, "the sheets of a crease pattern stay as they are");
+    if (o->step > 0)
+        return kg_fail(error, KG_ERR_INPUT, "sheets are placed before the first fold");
+    return KG_OK;
+}
+
+/* The flat state of the sheets as they are now; folds that could be done again are forgotten. */
+static kg_status lay_out(kg_origami *o, kg_error *error) {
+    kg_origami_state *s;
+    kg_status status = kg_state_from_sheets(o->sheets.items, o->sheets.count, &s, error);
     if (status)
         return status;
-    kg_paper_sheet copy = *sheet;
-    copy.polygon = malloc(sheet->count * sizeof *copy.polygon);
-    if (!copy.polygon || !kg_push(&o->sheets, copy)) {
-        free(copy.polygon);
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    }
-    memcpy(copy.polygon, sheet->polygon, sheet->count * sizeof *copy.polygon);
-    json_incref(copy.json);
-    kg_origami_state *s;
-    status = kg_state_from_sheets(o->sheets.items, o->sheets.count, &s, error);
-    if (status) {
-        o->sheets.count--;
-        free(copy.polygon);
-        json_decref(copy.json);
-        return status;
-    }
+    cut_folds(o, 0);
     kg_state_destroy(o->states.items[0]);
     o->states.items[0] = s;
+    return KG_OK;
+}
+
+kg_status kg_origami_add_sheet(kg_origami *o, const kg_paper_sheet *sheet, kg_error *error) {
+    kg_status status = check_unfolded(o, error);
+    if (!status)
+        status = kg_sheet_check(sheet, error);
+    if (status)
+        return status;
+    kg_paper_sheet copy;
+    if (!kg_sheet_copy(sheet, &copy))
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (!kg_push(&o->sheets, copy)) {
+        clear_sheet(&copy);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    if ((status = lay_out(o, error)))
+        clear_sheet(&o->sheets.items[--o->sheets.count]);
+    return status;
+}
+
+kg_status kg_origami_remove_sheet(kg_origami *o, size_t index, kg_error *error) {
+    kg_status status = check_unfolded(o, error);
+    if (!status && index >= o->sheets.count)
+        status = kg_fail(error, KG_ERR_INPUT, "there is no sheet %zu", index + 1);
+    if (status)
+        return status;
+    kg_paper_sheet sheet = o->sheets.items[index], *at = &o->sheets.items[index];
+    size_t behind = o->sheets.count - index - 1;
+    memmove(at, at + 1, behind * sizeof *at);
+    o->sheets.count--;
+    if ((status = lay_out(o, error))) {
+        memmove(at + 1, at, behind * sizeof *at);
+        *at = sheet;
+        o->sheets.count++;
+        return status;
+    }
+    clear_sheet(&sheet);
+    return KG_OK;
+}
+
+kg_status kg_origami_place_sheet(kg_origami *o, size_t index, const kg_vec2 *polygon, size_t count,
+                                 kg_error *error) {
+    kg_status status = check_unfolded(o, error);
+    if (!status && index >= o->sheets.count)
+        status = kg_fail(error, KG_ERR_INPUT, "there is no sheet %zu", index + 1);
+    if (status)
+        return status;
+    kg_paper_sheet before = o->sheets.items[index], given = before, now;
+    given.polygon = (kg_vec2 *)(uintptr_t)polygon; /* read only */
+    given.count = count;
+    if ((status = kg_sheet_check(&given, error)))
+        return status;
+    if (!kg_sheet_copy(&given, &now))
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    o->sheets.items[index] = now;
+    if ((status = lay_out(o, error))) {
+        o->sheets.items[index] = before;
+        clear_sheet(&now);
+        return status;
+    }
+    clear_sheet(&before);
     return KG_OK;
 }
 
@@ -106,8 +176,75 @@ void kg_origami_colours(const kg_origami *o, int32_t sheet, uint32_t *out_front,
     *out_back = known ? o->sheets.items[sheet].back : KG_DEFAULT_BACK;
 }
 
+/* The sheets of a pattern, which are known as loops only, as the boxes around them: what bears
+ * their colours. */
+static kg_status list_sheets(kg_origami *o, size_t count, kg_error *error) {
+    const kg_origami_state *s = o->states.items[0];
+    while (o->sheets.count < count) {
+        kg_box2 box = kg_box2_empty();
+        for (size_t i = 0; i < s->vertices.count; i++)
+            if (s->vertices.items[i].sheet == (int32_t)o->sheets.count)
+                kg_box2_add(&box, s->vertices.items[i].paper);
+        kg_paper_sheet sheet = {.count = 4, .front = KG_DEFAULT_FRONT, .back = KG_DEFAULT_BACK};
+        kg_vec2 corners[4] = {box.lo, kg_v2(box.hi.x, box.lo.y), box.hi, kg_v2(box.lo.x, box.hi.y)};
+        sheet.polygon = malloc(sizeof corners);
+        if (!sheet.polygon || !kg_push(&o->sheets, sheet)) {
+            free(sheet.polygon);
+            return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+        }
+        memcpy(sheet.polygon, corners, sizeof corners);
+    }
+    return KG_OK;
+}
+
+kg_status kg_origami_set_colours(kg_origami *o, size_t sheet, uint32_t front, uint32_t back,
+                                 kg_error *error) {
+    const kg_origami_state *s = o->states.items[0];
+    size_t known = o->sheets.count;
+    for (size_t i = 0; o->pattern && i < s->loops.count; i++)
+        known =
+            (size_t)s->loops.items[i].sheet >= known ? (size_t)s->loops.items[i].sheet + 1 : known;
+    if (sheet >= known)
+        return kg_fail(error, KG_ERR_INPUT, "there is no sheet %zu", sheet + 1);
+    kg_status status = list_sheets(o, known, error);
+    if (status)
+        return status;
+    o->sheets.items[sheet].front = front & 0xffffff;
+    o->sheets.items[sheet].back = back & 0xffffff;
+    return KG_OK;
+}
+
 const char *kg_origami_title(const kg_origami *o) {
     return o->title;
+}
+
+kg_status kg_origami_set_title(kg_origami *o, const char *title, kg_error *error) {
+    char *copy = strdup(title);
+    if (!copy)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    free(o->title);
+    o->title = copy;
+    return KG_OK;
+}
+
+const json_t *kg_origami_key(const kg_origami *o, const char *key) {
+    return json_object_get(o->json, key);
+}
+
+kg_status kg_origami_set_key(kg_origami *o, const char *key, json_t *value, kg_error *error) {
+    /* copies share the object, so that it is never changed in place */
+    json_t *json = o->json ? json_copy(o->json) : json_object();
+    bool done = json && (!value || json_object_set(json, key, value) == 0);
+    if (!value)
+        json_object_del(json, key); /* it may not be there */
+    json_decref(value);
+    if (!done) {
+        json_decref(json);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    json_decref(o->json);
+    o->json = json;
+    return KG_OK;
 }
 
 /* ---- folding ---------------------------------------------------------------------------- */

@@ -23,6 +23,7 @@ struct kg_origami {
         size_t count, capacity;
     } states;
     size_t step;         /* folds done */
+    bool pattern;        /* it began as a crease pattern; `sheets` then may hold colours only */
     struct json_t *json; /* the file as read, for its unknown keys; may be NULL */
 };
 
@@ -32,5 +33,8 @@ kg_status kg_state_from_sheets(const kg_paper_sheet *sheets, size_t count,
 
 /* KG_ERR_INPUT when the polygon is no sheet. */
 kg_status kg_sheet_check(const kg_paper_sheet *sheet, kg_error *error);
+
+/* The sheet with a polygon of its own; false when memory runs out. */
+bool kg_sheet_copy(const kg_paper_sheet *sheet, kg_paper_sheet *out);
 
 #endif

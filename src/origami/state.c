@@ -3,15 +3,31 @@
 
 #include "origami/convex.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* A state and how many origamis hold it; these may belong to several threads. */
+typedef struct shared_state {
+    kg_origami_state state; /* first: the same address */
+    atomic_size_t holders;
+} shared_state;
+
 kg_origami_state *kg_state_create(void) {
-    return calloc(1, sizeof(kg_origami_state));
+    shared_state *shared = calloc(1, sizeof *shared);
+    if (!shared)
+        return NULL;
+    atomic_init(&shared->holders, 1);
+    return &shared->state;
+}
+
+kg_origami_state *kg_state_share(kg_origami_state *s) {
+    atomic_fetch_add(&((shared_state *)s)->holders, 1);
+    return s;
 }
 
 void kg_state_destroy(kg_origami_state *s) {
-    if (!s)
+    if (!s || atomic_fetch_sub(&((shared_state *)s)->holders, 1) > 1)
         return;
     free(s->vertices.items);
     free(s->halves.items);
@@ -35,7 +51,7 @@ static bool copy_items(void **out, const void *items, size_t count, size_t size)
      copy_items((void **)&c->array.items, s->array.items, s->array.count, sizeof *s->array.items))
 
 kg_origami_state *kg_state_copy(const kg_origami_state *s, bool orders) {
-    kg_origami_state *c = malloc(sizeof *c);
+    kg_origami_state *c = kg_state_create();
     if (!c)
         return NULL;
     *c = *s;

@@ -26,7 +26,10 @@ static inline int32_t kg_twin(int32_t half) {
 }
 
 kg_origami_state *kg_state_create(void);
+/* Frees a state once as often as it was created and shared. */
 void kg_state_destroy(kg_origami_state *state);
+/* The same state for one more holder; it must not change any more. */
+kg_origami_state *kg_state_share(kg_origami_state *state);
 /* A copy; without its orders when these are going to be others. */
 kg_origami_state *kg_state_copy(const kg_origami_state *state, bool orders);
 
