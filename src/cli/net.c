@@ -120,13 +120,55 @@ static kg_status write_beside(const char *path, const char *text, char **out_tem
     return status ? status : kg_file_write(*out_temporary, text, strlen(text), error);
 }
 
+/* Adds a remark about part `i`, which is pinned where it cannot be cut out. */
+static kg_status add_clash(kg_document_net *net, size_t i, unsigned clash, kg_error *error) {
+    const kg_net_part *part = &net->net->parts[i];
+    bool overlap = clash & KG_CLASH_OVERLAP;
+    char message[KG_ERROR_SIZE];
+    snprintf(message, sizeof message, "part %d%s%s is pinned %s; move it, or unpin it",
+             part->number, part->name[0] ? " " : "", part->name,
+             overlap ? "on another part" : "where it leaves the page's margins");
+    char *copy = strdup(message);
+    kg_net_warning *more =
+        copy ? realloc(net->remarks, (net->remark_count + 1) * sizeof *more) : NULL;
+    if (!more) {
+        free(copy);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    more[net->remark_count++] =
+        (kg_net_warning){part->source, overlap ? "part-overlap" : "part-off-page", copy};
+    net->remarks = more;
+    return KG_OK;
+}
+
+/* Only the user's own pins put parts where they clash. */
+static kg_status check_pins(kg_document_net *net, const kg_net_layout *layout,
+                            const kg_net_options *settings, kg_error *error) {
+    size_t count = net->net->part_count, pins = 0;
+    for (size_t i = 0; i < count; i++)
+        pins += net->net->parts[i].pinned;
+    if (pins == 0 || settings->paper.x <= 0)
+        return KG_OK;
+    unsigned *clashes = calloc(count, sizeof *clashes);
+    kg_status status = clashes ? kg_net_clashes(net->net, layout, settings, clashes, error)
+                               : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    for (size_t i = 0; i < count && !status; i++)
+        for (unsigned c = KG_CLASH_PAGE; c <= KG_CLASH_OVERLAP && !status; c <<= 1)
+            if (net->net->parts[i].pinned && (clashes[i] & c))
+                status = add_clash(net, i, c, error);
+    free(clashes);
+    return status;
+}
+
 /* Writes the pages and what is to be beside them: all or nothing. */
-static kg_status write_files(const kg_document *document, const kg_document_net *net,
+static kg_status write_files(const kg_document *document, kg_document_net *net,
                              const kg_net_options *settings, const outputs *out, kg_error *error) {
     kg_net_layout *layout = NULL;
     char *guide = NULL, *report = NULL, *json = NULL;
     kg_status status = kg_net_layout_create(net->net, settings, NULL, &layout, error);
     int overlaps = 0;
+    if (!status)
+        status = check_pins(net, layout, settings, error);
     if (!status && out->report)
         status = kg_net_tab_overlaps(net->net, layout, settings, &overlaps, error);
     if (!status && out->report)

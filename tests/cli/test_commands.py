@@ -201,6 +201,28 @@ def test_nothing_stays_when_one_of_the_files_cannot_be_written():
         refuse(1, "export", "m.katagami", "-o", "m.xyz")
 
 
+def test_parts_pinned_on_others_or_off_the_page_are_told_of():
+    def placements(*pins):
+        model = ground_and_wall()
+        model["net"] = {"placements": [
+            {"patch": patch, "page": 0, "x": x, "y": y} for patch, x, y in pins]}
+        return model
+
+    def codes(model):
+        with folder(model):
+            said = succeed("net", "m.katagami", "-o", "n.svg", "--json", "n.json").stderr
+            found = json.loads(pathlib.Path("n.json").read_text(encoding="utf-8"))["warnings"]
+            assert said.count("is pinned") == len(found), said
+            for warning in found:
+                assert f"patch {warning['patch']}: {warning['message']}" in said, said
+            return [(w["patch"], w["code"]) for w in found]
+
+    assert codes(placements((1, 70, 20), (2, 60, 200))) == []
+    assert codes(placements((1, 70, 20), (2, 60, 90))) == [(1, "part-overlap"),
+                                                             (2, "part-overlap")]
+    assert codes(placements((1, 180, 20))) == [(1, "part-off-page")]
+
+
 def test_check_tells_errors_from_warnings():
     with folder():
         done = succeed("check", "m.katagami")
