@@ -75,6 +75,8 @@ KG_API const kg_solution *kg_document_solution(const kg_document *document);
 /* What follows from a card; NULL for other documents. */
 KG_API const kg_oa_sheet *kg_document_sheet(const kg_document *document);
 KG_API const kg_oa_stability *kg_document_stability(const kg_document *document);
+/* All remarks on a card, each with its place; the issues sum them up by trouble. */
+KG_API const kg_oa_remarks *kg_document_remarks(const kg_document *document);
 
 /* How far a card stands open in meshes and exports: the angle between its sheets, in [0, π];
  * standing (π/2) at first. Documents that do not fold take no notice. */

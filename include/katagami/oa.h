@@ -24,6 +24,9 @@ enum { KG_OA_MAX_SIZE = 2048, KG_OA_MAX_MARGIN = 512 };
 /* Side of a cell, mm, at most. */
 #define KG_OA_MAX_CELL 1000.0
 
+/* Paper narrower than this tears when it is folded or lifted, mm; of cards that do not say. */
+#define KG_OA_TINY 2.0
+
 /* Version of the file format that is read and written. */
 enum { KG_OA_VERSION = 1 };
 
@@ -42,6 +45,7 @@ typedef struct kg_oa {
     char *title;
     char *paper; /* of the net: as kg_net_paper_parse takes it; NULL: A4 */
     double margin, scale;
+    double tiny_mm;      /* folds and strips narrower than this on paper are remarked on */
     struct json_t *json; /* the file's object as it was read: keeps unknown keys; may be NULL */
 } kg_oa;
 
@@ -51,6 +55,8 @@ KG_API kg_status kg_oa_create(int width, int depth, int height, double cell_mm, 
 /* NULL when memory runs out. */
 KG_API kg_oa *kg_oa_copy(const kg_oa *oa);
 KG_API void kg_oa_destroy(kg_oa *oa);
+/* Is all the same that a file holds? Unknown keys of files are compared as they were read. */
+KG_API bool kg_oa_equal(const kg_oa *a, const kg_oa *b);
 
 static inline int kg_oa_depth(const kg_oa *oa, int x, int z) {
     return oa->depth[x * oa->height + z];
@@ -78,6 +84,14 @@ KG_API bool kg_oa_remove(kg_oa *oa, int x, int y, int z);
 /* Sets a front cell's window, a top's omission. False where there is no such face, or no change. */
 KG_API bool kg_oa_set_window(kg_oa *oa, int x, int z, bool on);
 KG_API bool kg_oa_set_omitted(kg_oa *oa, int x, int z, bool on);
+
+/* Another size, in cells; what fits stays at the corner of the first column, the back sheet and the
+ * base. KG_ERR_INPUT: out of range. */
+KG_API kg_status kg_oa_resize(kg_oa *oa, int width, int depth, int height,
+                              kg_error *error) KG_CHECKED;
+/* Makes the right half the mirror of the left one, or the left one that of the right; a middle
+ * column stays. Returns whether anything changed. */
+KG_API bool kg_oa_mirror(kg_oa *oa, bool from_right);
 
 /* ---- files ------------------------------------------------------------------------------ */
 
@@ -258,6 +272,62 @@ enum { KG_OA_MOBILITY_HINGES = 400 };
 KG_API kg_status kg_oa_mobility(const kg_oa_stability *stability, int *out_degrees,
                                 kg_error *error) KG_CHECKED;
 
+/* ---- what is wrong, and where ----------------------------------------------------------- */
+
+typedef enum kg_oa_trouble {
+    /* faults: fronts that fall off or stay behind */
+    KG_OA_FLOATING,    /* neither flood reaches it */
+    KG_OA_NOT_LIFTED,  /* the one from the back sheet does not */
+    KG_OA_NOT_CARRIED, /* the one from the base does not */
+    /* warnings */
+    KG_OA_BARE_EDGE, /* the model reaches the sheet's edge: nothing to hold the card by */
+    KG_OA_LOOSE,     /* a patch that does not follow from the opening of the card */
+    KG_OA_FLAP,      /* the same, and it hangs on a single patch */
+    KG_OA_TINY_FOLD, /* shorter than tiny_mm on paper */
+    KG_OA_TINY_NECK, /* a strip between cuts narrower than that */
+    KG_OA_TROUBLE_COUNT
+} kg_oa_trouble;
+
+static inline bool kg_oa_is_fault(kg_oa_trouble trouble) {
+    return trouble <= KG_OA_NOT_CARRIED;
+}
+
+/* Something that is wrong at one place. */
+typedef struct kg_oa_remark {
+    kg_oa_trouble trouble;
+    int x0, x1, row0, row1;   /* the cells around it: [x0, x1) x [row0, row1) of the sheet */
+    size_t first_cell, cells; /* they are kg_oa_remarks.cells[first_cell] … */
+    kg_oa_class plane;        /* of the first of them */
+    int lo[3], hi[3];         /* the voxels that it is the paper of, both included, as kg_oa_faced
+                                 says; without margins */
+    int patch;                /* of the stability; -1: it is no patch */
+    double mm;                /* of a tiny one: its width on paper */
+} kg_oa_remark;
+
+/* All remarks, troubles in their order, each from the top of the sheet down. */
+typedef struct kg_oa_remarks {
+    size_t count;
+    kg_oa_remark *items;
+    int32_t *cells; /* row * width + x of the sheet */
+    size_t faults;  /* remarks that are; 0: the card is valid */
+} kg_oa_remarks;
+
+/* Errors: KG_ERR_MEMORY. */
+KG_API kg_status kg_oa_remarks_create(const kg_oa *oa, const kg_oa_sheet *sheet,
+                                      const kg_oa_stability *stability, kg_oa_remarks **out_remarks,
+                                      kg_error *error) KG_CHECKED;
+KG_API void kg_oa_remarks_destroy(kg_oa_remarks *remarks);
+
+/* "not-lifted" and the like; what it means; what helps. Static. */
+KG_API const char *kg_oa_trouble_code(kg_oa_trouble trouble);
+KG_API const char *kg_oa_trouble_reason(kg_oa_trouble trouble);
+KG_API const char *kg_oa_trouble_advice(kg_oa_trouble trouble);
+
+/* "front y 3, columns 2-5, levels 1-4": where it is, in at most `size` bytes. */
+KG_API void kg_oa_remark_place(const kg_oa_remark *remark, char *out_text, size_t size);
+/* The whole sentence: place, reason, advice. */
+KG_API void kg_oa_remark_say(const kg_oa_remark *remark, char *out_text, size_t size);
+
 /* ---- opening and closing ---------------------------------------------------------------- */
 
 /* Where e1, f, b, s, r point when the sheets stand `open` apart (0 closed, π/2 standing, π flat),
@@ -270,6 +340,34 @@ KG_API void kg_oa_axes(double open, kg_vec3 out_axes[5]);
 KG_API kg_status kg_oa_pose(const kg_oa *oa, const kg_oa_sheet *sheet,
                             const kg_oa_stability *stability, double open, kg_mesh **out_mesh,
                             kg_error *error) KG_CHECKED;
+
+/* Which side of which voxel a cell of the sheet is. Omitted tops and cells pushed back count as
+ * what they are in space; the two halves of a divided cell as what it was before. */
+typedef struct kg_oa_voxel {
+    bool top; /* its top, else its front */
+    int x;
+    int y, z; /* of the filled voxel behind the paper; y is -1 behind the back sheet, z is -1
+                 below the base. The free one before it: y + 1 of a front, z + 1 of a top */
+} kg_oa_voxel;
+
+/* Of cell (x, row), without margins: the card's cells, which may lie outside it. */
+KG_API kg_oa_voxel kg_oa_faced(const kg_oa_sheet *sheet, int x, int row);
+
+typedef struct kg_oa_hit {
+    int x, row, side;  /* the cell and its piece */
+    kg_oa_class plane; /* of the piece */
+    bool printed;      /* from the side that faces the reader */
+    kg_oa_voxel voxel; /* kg_oa_faced */
+    int level;         /* of the front that the cell is part of, pushed back or not; -1: none. What
+                          kg_oa_set_window takes */
+    double distance;   /* in lengths of the ray's direction */
+} kg_oa_hit;
+
+/* The first cell that a ray meets on the card as kg_oa_pose puts it: false when it meets none.
+ * Takes one look-up for each plane, a few microseconds. Of sheets that lie on each other the one
+ * on the ray's side is met. */
+KG_API bool kg_oa_pick(const kg_oa *oa, const kg_oa_sheet *sheet, double open, kg_vec3 origin,
+                       kg_vec3 direction, kg_oa_hit *out_hit);
 
 /* The same with its whole motion, from flat open to closed and back in steps of two degrees. Exact
  * at every key: eq. 6 is linear in cos θ and sin θ, pyramids add three terms more. */

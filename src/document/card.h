@@ -9,6 +9,7 @@ typedef struct kg_card {
     double open;        /* angle between the sheets in meshes */
     kg_oa_sheet *sheet; /* NULL until solved, and all that follows */
     kg_oa_stability *stability;
+    kg_oa_remarks *remarks;
     struct {
         kg_issue *items;
         size_t count, capacity;

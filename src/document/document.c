@@ -157,6 +157,10 @@ const kg_oa_stability *kg_document_stability(const kg_document *d) {
     return d->card ? d->card->stability : NULL;
 }
 
+const kg_oa_remarks *kg_document_remarks(const kg_document *d) {
+    return d->card ? d->card->remarks : NULL;
+}
+
 void kg_document_set_open(kg_document *d, double angle) {
     if (d->card)
         d->card->open = angle;

@@ -209,6 +209,8 @@ static kg_status read_card(reader *r, const json_t *card) {
         status = read_faces(r, card, "omitted", true);
     if (!status)
         status = read_member(r, card, "margin_cells", 0, KG_OA_MAX_MARGIN, &margin_cells);
+    if (!status)
+        status = read_member(r, card, "tiny_mm", 0, KG_OA_MAX_CELL, &r->oa->tiny_mm);
     const json_t *diagonals = json_object_get(card, "diagonals");
     enter(r, diagonals ? "diagonals" : "margin_cells", 0);
     if (!status && margin_cells != floor(margin_cells))

@@ -65,13 +65,15 @@ static json_t *write_card(const kg_oa *oa) {
     json_t *o = start(oa->json, "oa");
     json_t *windows = faces(oa->window, oa->width, oa->height);
     json_t *omitted = faces(oa->omitted, oa->width, oa->height + 1);
-    bool ok = o && windows && omitted &&
-              set(o, "size", json_pack("[i, i, i]", oa->width, oa->depth_limit, oa->height)) &&
-              set(o, "cell_mm", number(oa->cell_mm)) && set(o, "depth", depths(oa)) &&
-              set_unless(o, "windows", json_array_size(windows) == 0, json_incref(windows)) &&
-              set_unless(o, "omitted", json_array_size(omitted) == 0, json_incref(omitted)) &&
-              set_unless(o, "diagonals", !oa->diagonals, json_boolean(oa->diagonals)) &&
-              set_unless(o, "margin_cells", oa->margin_cells == 0, json_integer(oa->margin_cells));
+    bool ok =
+        o && windows && omitted &&
+        set(o, "size", json_pack("[i, i, i]", oa->width, oa->depth_limit, oa->height)) &&
+        set(o, "cell_mm", number(oa->cell_mm)) && set(o, "depth", depths(oa)) &&
+        set_unless(o, "windows", json_array_size(windows) == 0, json_incref(windows)) &&
+        set_unless(o, "omitted", json_array_size(omitted) == 0, json_incref(omitted)) &&
+        set_unless(o, "diagonals", !oa->diagonals, json_boolean(oa->diagonals)) &&
+        set_unless(o, "margin_cells", oa->margin_cells == 0, json_integer(oa->margin_cells)) &&
+        set_unless(o, "tiny_mm", oa->tiny_mm == KG_OA_TINY, number(oa->tiny_mm));
     json_decref(windows);
     json_decref(omitted);
     if (ok)

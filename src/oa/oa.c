@@ -1,4 +1,4 @@
-/* Cards: memory, the staircase rule, editing. */
+/* Cards: memory, comparison, the staircase rule. */
 #include "katagami/oa.h"
 
 #include <jansson.h>
@@ -17,6 +17,7 @@ static kg_oa *allocate(int width, int depth, int height) {
     oa->height = height;
     oa->margin = 8;
     oa->scale = 1;
+    oa->tiny_mm = KG_OA_TINY;
     oa->depth = calloc(cells, sizeof *oa->depth);
     oa->window = calloc(cells, 1);
     oa->omitted = calloc(cells + (size_t)width, 1);
@@ -72,6 +73,7 @@ kg_oa *kg_oa_copy(const kg_oa *oa) {
     copy->margin_cells = oa->margin_cells;
     copy->margin = oa->margin;
     copy->scale = oa->scale;
+    copy->tiny_mm = oa->tiny_mm;
     free(copy->title);
     copy->title = strdup(oa->title);
     copy->paper = oa->paper ? strdup(oa->paper) : NULL;
@@ -92,6 +94,24 @@ void kg_oa_destroy(kg_oa *oa) {
     free(oa->paper);
     json_decref(oa->json);
     free(oa);
+}
+
+static bool same_text(const char *a, const char *b) {
+    return a == b || (a && b && strcmp(a, b) == 0);
+}
+
+bool kg_oa_equal(const kg_oa *a, const kg_oa *b) {
+    if (a->width != b->width || a->height != b->height || a->depth_limit != b->depth_limit)
+        return false;
+    size_t cells = (size_t)a->width * (size_t)a->height;
+    return a->cell_mm == b->cell_mm && a->diagonals == b->diagonals &&
+           a->margin_cells == b->margin_cells && a->margin == b->margin && a->scale == b->scale &&
+           a->tiny_mm == b->tiny_mm && same_text(a->title, b->title) &&
+           same_text(a->paper, b->paper) &&
+           memcmp(a->depth, b->depth, cells * sizeof *a->depth) == 0 &&
+           memcmp(a->window, b->window, cells) == 0 &&
+           memcmp(a->omitted, b->omitted, cells + (size_t)a->width) == 0 &&
+           (a->json == b->json || json_equal(a->json, b->json));
 }
 
 int kg_oa_top(const kg_oa *oa, int x, int z) {
@@ -130,60 +150,4 @@ kg_status kg_oa_check(const kg_oa *oa, kg_error *error) {
                                  "column %d, height %d: a top is omitted, but there is none", x, z);
     }
     return status;
-}
-
-/* ---- editing ---------------------------------------------------------------------------- */
-
-static bool inside(const kg_oa *oa, int x, int y, int z) {
-    return x >= 0 && x < oa->width && y >= 0 && y < oa->depth_limit && z >= 0 && z < oa->height;
-}
-
-/* Takes out windows and omissions whose face is gone. */
-static void clear_faceless(kg_oa *oa, int x) {
-    for (int z = 0; z < oa->height; z++)
-        if (kg_oa_depth(oa, x, z) == 0)
-            oa->window[x * oa->height + z] = 0;
-    for (int z = 0; z <= oa->height; z++)
-        if (kg_oa_top(oa, x, z) == 0)
-            oa->omitted[x * (oa->height + 1) + z] = 0;
-}
-
-bool kg_oa_add(kg_oa *oa, int x, int y, int z) {
-    bool changed = false;
-    if (!inside(oa, x, y, z))
-        return false;
-    int *column = oa->depth + x * oa->height;
-    for (int level = z; level >= 0 && column[level] <= y; level--) {
-        column[level] = y + 1;
-        changed = true;
-    }
-    clear_faceless(oa, x);
-    return changed;
-}
-
-bool kg_oa_remove(kg_oa *oa, int x, int y, int z) {
-    bool changed = false;
-    if (!inside(oa, x, y, z))
-        return false;
-    int *column = oa->depth + x * oa->height;
-    for (int level = z; level < oa->height && column[level] > y; level++) {
-        column[level] = y;
-        changed = true;
-    }
-    clear_faceless(oa, x);
-    return changed;
-}
-
-bool kg_oa_set_window(kg_oa *oa, int x, int z, bool on) {
-    if (!inside(oa, x, 0, z) || kg_oa_depth(oa, x, z) == 0 || kg_oa_window(oa, x, z) == on)
-        return false;
-    oa->window[x * oa->height + z] = on;
-    return true;
-}
-
-bool kg_oa_set_omitted(kg_oa *oa, int x, int z, bool on) {
-    if (x < 0 || x >= oa->width || kg_oa_top(oa, x, z) == 0 || kg_oa_omitted(oa, x, z) == on)
-        return false;
-    oa->omitted[x * (oa->height + 1) + z] = on;
-    return true;
 }

@@ -14,6 +14,12 @@ static const int upward[KG_OA_CLASS_COUNT][5] = {
 /* Three times e1, f, b, s, r of the standing card. */
 static const int standing[5][3] = {{3, 0, 0}, {0, 3, 0}, {0, 0, 3}, {1, 2, 2}, {1, -2, -2}};
 
+const kg_oa_outline kg_oa_outlines[3][2] = {
+    {{4, {{0, 0}, {0, 1}, {1, 1}, {1, 0}}}, {0, {{0, 0}}}},
+    {{3, {{0, 0}, {0, 1}, {1, 0}}}, {3, {{0, 1}, {1, 1}, {1, 0}}}},
+    {{3, {{0, 0}, {0, 1}, {1, 1}}}, {3, {{0, 0}, {1, 1}, {1, 0}}}},
+};
+
 kg_oa_tuple kg_oa_piece_point(const kg_oa_piece *piece, int dx, int dt) {
     kg_oa_tuple p = piece->corner;
     for (int i = 0; i < 5; i++)
@@ -33,6 +39,13 @@ kg_oa_piece kg_oa_cell_piece(const kg_oa_sheet *sheet, int x, int row, int side)
     int32_t place = sheet->place[kg_oa_cell(sheet, x, row)];
     int y = kg_oa_place_upper(place), t = sheet->height - row;
     return (kg_oa_piece){place & 1 ? KG_OA_FLOOR : KG_OA_BACK, {{x, y, t + y, 0, 0}}};
+}
+
+kg_oa_voxel kg_oa_faced(const kg_oa_sheet *sheet, int x, int row) {
+    int32_t place = sheet->place[kg_oa_cell(sheet, x, row)];
+    bool top = place & 1;
+    int y = kg_oa_place_upper(place), z = sheet->height - row + y;
+    return (kg_oa_voxel){top, x - sheet->margin, top ? y : y - 1, z - 1};
 }
 
 /* ---- edges ------------------------------------------------------------------------------ */

@@ -19,6 +19,13 @@ void kg_oa_axes(double open, kg_vec3 out_axes[5]) {
     out_axes[4] = kg_v3(a, -c * (1 - cos(g)), -c * sin(g));
 }
 
+kg_vec3 kg_oa_place_point(const kg_oa_tuple *t, const kg_vec3 axes[5], int margin, double cell) {
+    kg_vec3 p = kg_v3(-margin, 0, 0);
+    for (int i = 0; i < 5; i++)
+        p = kg_madd(p, t->v[i], axes[i]);
+    return kg_v3(p.x * cell, -p.y * cell, p.z * cell);
+}
+
 /* ---- vertices and faces ----------------------------------------------------------------- */
 
 typedef struct frame {
@@ -54,21 +61,13 @@ static bool add_corner(frame *f, int x, int row, const kg_oa_tuple *tuple) {
     return kg_push(&f->corners, (uint32_t)v);
 }
 
-/* Corners of a piece, as dx and -dt, around its printed side. */
-static const struct {
-    int count, corners[4][2];
-} outlines[3][2] = {
-    {{4, {{0, 0}, {0, 1}, {1, 1}, {1, 0}}}, {0, {{0, 0}}}},
-    {{3, {{0, 0}, {0, 1}, {1, 0}}}, {3, {{0, 1}, {1, 1}, {1, 0}}}},
-    {{3, {{0, 0}, {0, 1}, {1, 1}}}, {3, {{0, 0}, {1, 1}, {1, 0}}}},
-};
-
 static bool add_face(frame *f, int x, int row, int side) {
     kg_oa_shape shape = kg_oa_cell_shape(f->sheet, x, row);
     kg_oa_piece piece = kg_oa_cell_piece(f->sheet, x, row, side);
     bool done = true;
-    for (int i = 0; i < outlines[shape][side].count && done; i++) {
-        const int *c = outlines[shape][side].corners[i];
+    const kg_oa_outline *outline = &kg_oa_outlines[shape][side];
+    for (int i = 0; i < outline->count && done; i++) {
+        const int *c = outline->corners[i];
         kg_oa_tuple tuple = kg_oa_piece_point(&piece, c[0], -c[1]);
         done = add_corner(f, x + c[0], row + c[1], &tuple);
     }
@@ -121,13 +120,6 @@ static void frame_clear(frame *f) {
     free(f->starts.items);
 }
 
-static kg_vec3 place(const kg_oa_tuple *t, const kg_vec3 axes[5], int margin, double cell) {
-    kg_vec3 p = kg_v3(-margin, 0, 0);
-    for (int i = 0; i < 5; i++)
-        p = kg_madd(p, t->v[i], axes[i]);
-    return kg_v3(p.x * cell, -p.y * cell, p.z * cell);
-}
-
 /* Fills the frame and makes the mesh of it; the frame keeps the vertices' tuples. */
 static bool build(const kg_oa *oa, frame *f, const kg_oa_stability *stability, double open,
                   kg_mesh *mesh) {
@@ -149,7 +141,7 @@ static bool build(const kg_oa *oa, frame *f, const kg_oa_stability *stability, d
     kg_vec3 axes[5];
     kg_oa_axes(open, axes);
     for (size_t i = 0; i < f->tuples.count; i++)
-        mesh->positions[i] = place(&f->tuples.items[i], axes, s->margin, oa->cell_mm);
+        mesh->positions[i] = kg_oa_place_point(&f->tuples.items[i], axes, s->margin, oa->cell_mm);
     mesh->vertex_count = f->tuples.count;
     mesh->face_count = f->starts.count - 1;
     mesh->face_starts = f->starts.items;

@@ -52,6 +52,15 @@ void kg_oa_lay_out(const kg_oa *oa, kg_oa_sheet *sheet);
 /* Finds the pyramids of a card without margins and bends the sheet's cells along them. */
 kg_status kg_oa_bend(const kg_oa *oa, kg_oa_sheet *sheet, kg_error *error) KG_CHECKED;
 
+/* Corners of a piece, as dx and -dt, around its printed side; by kg_oa_shape and side. */
+typedef struct kg_oa_outline {
+    int count, corners[4][2];
+} kg_oa_outline;
+extern const kg_oa_outline kg_oa_outlines[3][2];
+
+/* Where a point of the sheet lies in the world of models, mm. */
+kg_vec3 kg_oa_place_point(const kg_oa_tuple *point, const kg_vec3 axes[5], int margin, double cell);
+
 static inline bool kg_oa_tuple_equal(const kg_oa_tuple *a, const kg_oa_tuple *b) {
     for (int i = 0; i < 5; i++)
         if (a->v[i] != b->v[i])
