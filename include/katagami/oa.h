@@ -386,6 +386,7 @@ typedef struct kg_oa_options {
     bool windows;
     int thin_top; /* tops at most so many cells deep may be left out; 0: none */
     bool diagonals;
+    double tiny_mm; /* of the card */
 } kg_oa_options;
 
 /* 80 x 40 x 40 cells of 2.5 mm, up +y, front +z, one scale, smooth 3, windows, no thin tops. */

@@ -75,3 +75,10 @@ json_t *kg_card_json(kg_document *d, kg_error *error) {
         kg_fail(error, KG_ERR_MEMORY, "out of memory");
     return card;
 }
+
+void kg_card_warn(const kg_document *d, const char *command) {
+    for (size_t i = 0; kg_document_remarks(d) && i < kg_document_issue_count(d); i++)
+        if (kg_document_issue(d, i)->severity == KG_FAULT)
+            fprintf(stderr, "katagami %s: warning: %s\n", command,
+                    kg_document_issue(d, i)->message);
+}

@@ -10,6 +10,7 @@
 
 static const kg_option options[] = {
     {"json", 0, false, NULL, "machine-readable"},
+    {"tiny", 0, true, "MM", "of a card: warn of folds and strips narrower than this (the card's)"},
 };
 
 /* What was found, of the model itself and of its net. */
@@ -95,7 +96,7 @@ static void print_text(const findings *f, const char *name) {
 
 int kg_command_check(int argc, char **argv) {
     kg_arguments a;
-    int code = kg_arguments_parse(argc, argv, "katagami check MODEL [--json]", options,
+    int code = kg_arguments_parse(argc, argv, "katagami check MODEL [--json] [--tiny MM]", options,
                                   sizeof options / sizeof *options, &a);
     if (code >= 0)
         return code;
@@ -104,7 +105,12 @@ int kg_command_check(int argc, char **argv) {
     kg_error error;
     kg_document *document = NULL;
     findings found = {0};
+    double tiny = -1; /* as the card has it */
+    if (!kg_arguments_number(&a, "tiny", 0, KG_OA_MAX_CELL, &tiny))
+        return KG_EXIT_USAGE;
     kg_status status = kg_document_read(a.words[0], &document, &error);
+    if (!status && tiny >= 0 && kg_document_oa(document))
+        kg_document_oa(document)->tiny_mm = tiny;
     if (!status)
         status = kg_document_solve(document, KG_NET_CHORD, &error);
     if (!status)

@@ -1,4 +1,5 @@
 /* katagami export: the model's surface as a mesh file. */
+#include "cli/card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/document.h"
@@ -41,6 +42,7 @@ int kg_command_export(int argc, char **argv) {
         status = kg_document_solve(document, tolerance, &error);
     if (!status) {
         kg_document_set_open(document, open_deg * acos(-1.0) / 180);
+        kg_card_warn(document, "export");
         status = kg_document_export(document, path, patch_color, &error);
     }
     kg_document_destroy(document);

@@ -204,6 +204,8 @@ static kg_status write_net(kg_document *document, const kg_net_options *settings
     kg_document_net net = {0};
     double chord = kg_net_settings_chord(settings);
     kg_status status = KG_OK;
+    if (kg_document_oa(document)) /* what is too narrow is so at the size it is drawn in */
+        kg_document_oa(document)->scale = settings->scale;
     if (out->guide && kg_document_oa(document))
         status = kg_fail(error, KG_ERR_INPUT,
                          "--guide: a card is cut and folded as its net shows, without a guide");

@@ -19,6 +19,7 @@ static const kg_option options[] = {
     {"no-windows", 0, false, NULL, "leave the front closed"},
     {"thin-top", 0, true, "N", "leave out tops at most N cells deep where possible (0)"},
     {"diagonals", 0, false, NULL, "45-degree folds where they hold"},
+    {"tiny", 0, true, "MM", "warn of folds and strips between cuts narrower than this (2)"},
     {"title", 0, true, "TEXT", "title of the card (the mesh's name)"},
     {"progress", 0, false, NULL, "tell on standard error how far the work is"},
 };
@@ -79,6 +80,7 @@ static int read_options(const kg_arguments *a, kg_oa_options *out) {
         return kg_command_misuse("oa", "--windows and --no-windows exclude each other");
     out->cell_mm = cell_for(out);
     if (!kg_arguments_number(a, "cell", 1e-3, KG_OA_MAX_CELL, &out->cell_mm) ||
+        !kg_arguments_number(a, "tiny", 0, KG_OA_MAX_CELL, &out->tiny_mm) ||
         !kg_arguments_number(a, "smooth", 0, KG_OA_MAX_SIZE, &smooth) ||
         !kg_arguments_number(a, "thin-top", 0, KG_OA_MAX_SIZE, &thin))
         return KG_EXIT_USAGE;

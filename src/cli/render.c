@@ -1,5 +1,6 @@
 /* katagami render: an off-screen picture of the model and its reference. */
 #include "katagami/render.h"
+#include "cli/card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/document.h"
@@ -244,6 +245,7 @@ int kg_command_render(int argc, char **argv) {
         status = kg_document_set_step(document, (size_t)wanted.step, &error);
     if (!status) {
         kg_document_set_open(document, wanted.open_deg * acos(-1.0) / 180);
+        kg_card_warn(document, "render");
         status = draw(document, &wanted, path, &error);
     }
     kg_document_destroy(document);

@@ -13,7 +13,8 @@ kg_oa_options kg_oa_options_default(void) {
                            .up = {0, 1, 0},
                            .front = {0, 0, 1},
                            .smooth = 3,
-                           .windows = true};
+                           .windows = true,
+                           .tiny_mm = KG_OA_TINY};
 }
 
 static bool asked_to_stop(const kg_progress *progress, double fraction, const char *what) {
@@ -203,6 +204,7 @@ kg_status kg_oa_convert(const kg_mesh *mesh, const kg_oa_options *options,
         kg_oa_create(options->width, options->depth, options->height, options->cell_mm, &oa, error);
     if (status)
         return status;
+    oa->tiny_mm = options->tiny_mm;
     unsigned char *raised = calloc((size_t)oa->width, (size_t)oa->height);
     status = raised ? fill(mesh, options, progress, oa, raised, error)
                     : kg_fail(error, KG_ERR_MEMORY, "out of memory");

@@ -25,7 +25,7 @@ static const struct {
     [KG_OA_LOOSE] = {"loose", "a loose patch: it does not follow from the opening of the card",
                      "join it with a second firm patch in another plane, or glue it"},
     [KG_OA_FLAP] = {"flap", "a flap: it hangs on a single patch",
-                    "nothing, if it is meant to flap; else join it with a second patch"},
+                    "leave it if it is meant to flap, else join it with a second patch"},
     [KG_OA_TINY_FOLD] = {"tiny-fold", "a fold so short that the paper tears",
                          "draw the net larger, or use fewer cells"},
     [KG_OA_TINY_NECK] = {"tiny-neck", "a strip between cuts so narrow that the paper tears",
@@ -80,7 +80,7 @@ void kg_oa_remark_place(const kg_oa_remark *r, char *out_text, size_t size) {
     add_range(out_text, size, "column", r->lo[0], r->hi[0]);
     add(out_text, size, ", ");
     if (!upright)
-        add_range(out_text, size, "row", r->lo[1], r->hi[1]);
+        add_range(out_text, size, "depth", r->lo[1], r->hi[1]);
     if (!upright && !level)
         add(out_text, size, ", ");
     if (!level)

@@ -107,13 +107,44 @@ def test_pose_follows_the_angle():
     run("export", card(), "-o", "pose.obj", "--open", "181", expect=2)
 
 
-def test_what_floats_is_an_error_of_check_alone():
+def test_what_floats_is_an_error_of_check_and_a_warning_elsewhere():
     path = card(windows=[[1, 0], [2, 0], [3, 0]])
+    place, reason = "front at depth 2, columns 1-3, levels 1-2", "stands on nothing below"
     done = run("check", path, expect=1)
-    assert "not carried by the base" in done.stdout and "[2,1]" in done.stdout
+    assert f"error: {place}: a front that {reason}" in done.stdout, done.stdout
     errors = json.loads(run("check", path, "--json", expect=1).stdout)["errors"]
     assert [e["code"] for e in errors] == ["not-carried"]
-    assert "not carried" in run("net", path, "-o", "net.svg").stderr
+    done = run("net", path, "-o", "net.svg", "--json", "net.json")
+    assert "katagami net: warning: " + place in done.stderr and (HERE / "net.svg").exists()
+    warnings = json.loads((HERE / "net.json").read_text(encoding="utf-8"))["warnings"]
+    assert warnings[0]["code"] == "not-carried" and reason in warnings[0]["message"]
+    for command, name in (("export", "a.obj"), ("export", "a.fold"), ("render", "a.png")):
+        done = run(command, path, "-o", name)
+        assert f"katagami {command}: warning: {place}" in done.stderr, done.stderr
+        assert (HERE / name).exists()
+    info = json.loads(run("info", path, "--json").stdout)
+    assert not info["card"]["valid"]
+    assert info["warnings"][0]["code"] == "not-carried"
+    for command, name in (("export", "b.obj"), ("render", "b.png")):
+        assert run(command, card(), "-o", name).stderr == ""
+
+
+def test_tiny_features_are_warned_of_below_their_limit():
+    codes = lambda *words: [w["code"] for w in
+                            json.loads(run("check", *words, "--json").stdout)["warnings"]]
+    both = ["tiny-fold", "tiny-neck"]
+    assert codes(card()) == [] and codes(card(cell_mm=1)) == both
+    assert codes(card(cell_mm=1, tiny_mm=1)) == [] and codes(card(tiny_mm=11)) == both
+    assert codes(card(cell_mm=1), "--tiny", "0") == []
+    assert codes(card(tiny_mm=1), "--tiny", "11") == both
+    assert "10 mm: a fold so short" in run("check", card(), "--tiny", "11").stdout
+    run("check", card(), "--tiny", "-1", expect=2)
+    run("check", card(), "--tiny", "x", expect=2)
+    run("oa", DATA / "castle.obj", "-o", "tiny.katagami", "--size", "20x10x10", "--tiny", "0.5")
+    assert json.loads((HERE / "tiny.katagami").read_text(encoding="utf-8"))["oa"]["tiny_mm"] == 0.5
+    # what counts is the size on paper
+    assert "tiny" not in run("net", card(cell_mm=2), "-o", "net.svg").stderr
+    assert "so short" in run("net", card(cell_mm=2), "-o", "net.svg", "--scale", "0.5").stderr
 
 
 def test_broken_cards_are_refused_with_the_place():
@@ -126,6 +157,7 @@ def test_broken_cards_are_refused_with_the_place():
             ({"windows": [[5, 0]]}, ("5 is not within",)),
             ({"windows": [[0, 0]]}, ("column 0",)),
             ({"omitted": [[1, 2]]}, ("column 1", "height 2")),
+            ({"tiny_mm": -1}, ("tiny_mm",)),
             ({"cell_mm": -1}, ("cell_mm",))]:
         path = card(**changes)
         for command in (("check",), ("net", "-o", "no.svg"), ("export", "-o", "no.obj")):
