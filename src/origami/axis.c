@@ -215,9 +215,10 @@ kg_status kg_folding_create(const kg_origami_state *s, const kg_fold *fold, kg_f
     if (!status)
         status = kg_outlines_create(s, &f.outlines);
     if (!status)
-        status = kg_layer_rows_create(s, &f.outlines, &f.rows);
-    if (!status)
         status = find_axis(&f, fold, error);
+    if (!status)
+        status =
+            kg_layer_bits_read(s, &f.outlines, f.axis.group, f.axis.angle > 0 ? 1 : -1, &f.layers);
     if (status) {
         kg_folding_clear(&f);
         return status;
@@ -229,7 +230,7 @@ kg_status kg_folding_create(const kg_origami_state *s, const kg_fold *fold, kg_f
 
 void kg_folding_clear(kg_folding *f) {
     kg_outlines_clear(&f->outlines);
-    kg_layer_rows_clear(&f->rows);
+    kg_layer_bits_clear(&f->layers);
     free(f->sides);
     free(f->reach);
     free(f->moves);
@@ -257,12 +258,13 @@ static int32_t topmost(const kg_folding *f, kg_vec3 vertex) {
     for (size_t i = 0; i < s->loops.count; i++) {
         if (f->moves[i] || s->loops.items[i].group != f->axis.group || !has_corner(s, i, vertex))
             continue;
+        const uint64_t *row = kg_layer_row(&f->layers, (int32_t)i, up);
         bool covered = false;
-        for (size_t k = f->rows.starts[i]; k < f->rows.starts[i + 1] && !covered; k++) {
-            int32_t other = kg_row_other(&f->rows, k);
-            covered = kg_row_above(&f->rows, k) == up && !f->moves[other] &&
-                      has_corner(s, (size_t)other, vertex);
-        }
+        for (size_t w = 0; w < f->layers.words; w++)
+            for (uint64_t bits = row[w]; bits != 0 && !covered;) {
+                size_t other = 64 * w + (size_t)kg_bit_next(&bits);
+                covered = !f->moves[other] && has_corner(s, other, vertex);
+            }
         if (!covered)
             return (int32_t)i;
     }

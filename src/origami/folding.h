@@ -2,7 +2,7 @@
 #ifndef KG_ORIGAMI_FOLDING_H
 #define KG_ORIGAMI_FOLDING_H
 
-#include "origami/outline.h"
+#include "origami/layers.h"
 
 /* The moving side turns about the line through `origin` along `axis` so that `side` goes towards
  * `normal` when the angle is positive: axis = side × normal. All unit, perpendicular. */
@@ -16,7 +16,7 @@ typedef struct kg_folding {
     const kg_origami_state *state; /* the one it starts from */
     kg_fold_axis axis;
     kg_outlines outlines;
-    kg_layer_rows rows;
+    kg_layer_bits layers; /* in the axis' group only what lies on the side it folds to */
     signed char *sides; /* of vertices in the group's plane: 1 moving side, -1, 0 on the axis; -2 in
                            other planes */
     signed char *reach; /* of loops in the group, bits: 1 some corner beyond the axis, 2 some on the

@@ -10,7 +10,10 @@ typedef struct landing {
     const kg_fold_parts *parts;
     kg_origami_state *after;
     kg_outlines outlines; /* of `after` */
-    bool *upper;          /* loops that the fold ends below, when it ends between two; else NULL */
+    kg_layer_bits layers; /* of `after`: each pair in the row of its smaller loop */
+    int32_t *resting;     /* loops that do not move */
+    size_t resting_count;
+    bool *upper; /* loops that the fold ends below, when it ends between two; else NULL */
     kg_error *error;
 } landing;
 
@@ -20,31 +23,41 @@ static bool is_flat(const kg_fold_axis *a) {
     return fabs(fabs(a->angle) - PI) < KG_LEAST_ANGLE;
 }
 
+/* b lies above (1) or below (-1) a */
+static void put(landing *l, int32_t a, int32_t b, int above) {
+    if (a < b)
+        kg_layer_put(&l->layers, a, b, above);
+    else
+        kg_layer_put(&l->layers, b, a, -above);
+}
+
 /* ---- orders that stay ------------------------------------------------------------------- */
 
+static void keep(landing *l, int32_t a, int32_t b, int side) {
+    if (kg_outlines_overlap(&l->outlines, a, b, l->after->touch))
+        put(l, a, b, side * l->outlines.facing[a]);
+}
+
 /* An order between two loops that stay or move together holds for their parts. */
-static kg_status keep_orders(landing *l) {
+static void keep_orders(landing *l) {
     const kg_origami_state *before = l->folding->state;
     const int32_t *children = l->parts->children;
     const bool *moves = l->parts->moves;
-    if (!kg_reserve(&l->after->orders, before->orders.count))
-        return KG_ERR_MEMORY;
     for (size_t i = 0; i < before->orders.count; i++) {
         kg_layer_order o = before->orders.items[i];
-        bool whole = children[o.a] < 0 && children[o.b] < 0;
-        int32_t as[2] = {o.a, children[o.a]}, bs[2] = {o.b, children[o.b]};
-        for (int k = 0; k < 4; k++) {
-            int32_t a = as[k & 1], b = bs[k >> 1];
-            if (a < 0 || b < 0 || moves[a] != moves[b] ||
-                !(whole || kg_outlines_overlap(&l->outlines, a, b, before->touch)))
-                continue;
-            kg_status status =
-                kg_orders_add(l->after, &l->outlines, a, b, o.side * l->outlines.facing[a]);
-            if (status)
-                return status;
+        int32_t a = children[o.a], b = children[o.b];
+        if (a < 0 && b < 0) {
+            /* no branch: which loops move follows no pattern */
+            uint64_t *row = kg_layer_row(&l->layers, o.a, o.side * l->outlines.facing[o.a]);
+            row[o.b >> 6] |= (uint64_t)(moves[o.a] == moves[o.b]) << (o.b & 63);
+            continue;
         }
+        if (!moves[o.a] && !moves[o.b])
+            keep(l, o.a, o.b, o.side);
+        a = a < 0 ? o.a : a, b = b < 0 ? o.b : b;
+        if (moves[a] && moves[b])
+            keep(l, a, b, o.side);
     }
-    return KG_OK;
 }
 
 /* ---- between two layers ----------------------------------------------------------------- */
@@ -81,9 +94,9 @@ static kg_status spread_up(landing *l, const kg_layer_rows *rows, int32_t start)
 }
 
 static kg_status find_upper(landing *l, const int32_t between[2]) {
-    kg_status sorted = kg_orders_sort(l->after);
-    if (sorted)
-        return sorted;
+    kg_status written = kg_layer_bits_write(&l->layers, &l->outlines, l->after);
+    if (written)
+        return written;
     const kg_origami_state *s = l->after;
     size_t loops = l->folding->state->loops.count;
     for (int k = 0; k < 2; k++)
@@ -162,9 +175,9 @@ static kg_status land_loop(landing *l, int32_t moving, const int32_t between[2],
                l->folding->state->loops.items[l->parts->parents[moving]].group == a->group;
     /* in a plane through the axis it arrives the same way everywhere */
     int common = through_axis ? arrival_at(l, moving, l->outlines.middles[moving]) : 0;
-    for (size_t i = 0; i < s->loops.count; i++) {
-        int32_t resting = (int32_t)i;
-        if (l->parts->moves[i] || s->loops.items[i].group != group ||
+    for (size_t i = 0; i < l->resting_count; i++) {
+        int32_t resting = l->resting[i];
+        if (s->loops.items[resting].group != group ||
             !kg_outlines_overlap(&l->outlines, moving, resting, s->touch))
             continue;
         int above = common;
@@ -172,20 +185,19 @@ static kg_status land_loop(landing *l, int32_t moving, const int32_t between[2],
         if (status)
             return status;
         if (own && l->upper) {
-            above = l->upper[i] ? -1 : 1;
+            above = l->upper[resting] ? -1 : 1;
             *inserted |= resting == between[0] || resting == between[1];
         } else if (above == 0) { /* it slid: an old order holds */
             int32_t old = l->parts->parents[resting];
             above = kg_origami_order(l->folding->state, old, l->parts->parents[moving]) *
-                    l->outlines.facing[i];
+                    l->outlines.facing[resting];
             if (above == 0)
                 return kg_fail(l->error, KG_ERR_INPUT,
                                "face %d would slide edge on into face %d, in its plane",
                                l->parts->parents[moving], old);
         }
         *elsewhere |= !own;
-        if ((status = kg_orders_add(l->after, &l->outlines, resting, moving, above)))
-            return status;
+        put(l, resting, moving, above);
     }
     return KG_OK;
 }
@@ -197,7 +209,17 @@ kg_status kg_fold_land(const kg_folding *folding, const kg_fold *fold, const kg_
          elsewhere = false;
     kg_status status = kg_outlines_create(after, &l.outlines);
     if (!status)
-        status = keep_orders(&l);
+        status = kg_layer_bits_create(after->loops.count, &l.layers);
+    l.resting = malloc((after->loops.count + 1) * sizeof *l.resting);
+    if (!l.resting)
+        status = KG_ERR_MEMORY;
+    for (size_t i = 0; i < after->loops.count && !status; i++)
+        if (!parts->moves[i])
+            l.resting[l.resting_count++] = (int32_t)i;
+    if (!status) {
+        kg_outlines_probe(&l.outlines, after);
+        keep_orders(&l);
+    }
     if (!status && inserts)
         status = find_upper(&l, fold->between);
     for (size_t i = 0; i < after->loops.count && !status; i++)
@@ -207,12 +229,14 @@ kg_status kg_fold_land(const kg_folding *folding, const kg_fold *fold, const kg_
         status = kg_fail(error, KG_ERR_INPUT, "the fold does not end between faces %d and %d",
                          fold->between[0], fold->between[1]);
     if (!status)
-        status = kg_orders_sort(after);
+        status = kg_layer_bits_write(&l.layers, &l.outlines, after);
     /* the rules of what moves keep layers from crossing, but not where they go between others or
      * meet those of other planes */
     if (!status && (inserts || elsewhere))
         status = kg_layers_check(after, &l.outlines, error);
     kg_outlines_clear(&l.outlines);
+    kg_layer_bits_clear(&l.layers);
+    free(l.resting);
     free(l.upper);
     return status;
 }

@@ -98,17 +98,19 @@ static bool pushes(const kg_folding *f, int32_t loop, int32_t other, int above, 
 
 static kg_status follow_layers(kg_folding *f, stack *todo, int32_t loop, kg_vec2 *scratch) {
     int up = f->axis.angle > 0 ? 1 : -1;
-    kg_status status = KG_OK;
-    for (size_t k = f->rows.starts[loop]; k < f->rows.starts[loop + 1] && !status; k++) {
-        int32_t other = kg_row_other(&f->rows, k);
-        int above = kg_row_above(&f->rows, k);
-        if (f->moves[other])
-            continue;
-        if (in_group(f, loop) ? above == up && overlap_beyond(f, loop, other, scratch)
-                              : pushes(f, loop, other, above, scratch))
-            status = add(f, todo, other);
+    for (int above = -1; above <= 1; above += 2) {
+        const uint64_t *row = kg_layer_row(&f->layers, loop, above);
+        for (size_t w = 0; w < f->layers.words && (above == up || !in_group(f, loop)); w++)
+            for (uint64_t bits = row[w]; bits != 0;) {
+                int32_t other = (int32_t)(64 * w) + kg_bit_next(&bits);
+                if (!f->moves[other] &&
+                    (in_group(f, loop) ? overlap_beyond(f, loop, other, scratch)
+                                       : pushes(f, loop, other, above, scratch)) &&
+                    add(f, todo, other))
+                    return KG_ERR_MEMORY;
+            }
     }
-    return status;
+    return KG_OK;
 }
 
 kg_status kg_folding_move(kg_folding *f, int32_t loop, kg_error *error) {

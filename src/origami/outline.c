@@ -5,33 +5,60 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Turns a loop's corners counter-clockwise and measures it. */
+static void measure(kg_outlines *o, size_t i, double touch) {
+    kg_vec2 *p = o->points + o->starts[i];
+    kg_outline_side *sides = o->sides + o->starts[i];
+    size_t count = o->starts[i + 1] - o->starts[i];
+    o->facing[i] = kg_polygon_area(p, count) >= 0 ? 1 : -1;
+    for (size_t a = 0, b = count - 1; o->facing[i] < 0 && a < b; a++, b--) {
+        kg_vec2 swap = p[a];
+        p[a] = p[b], p[b] = swap;
+    }
+    o->boxes[i] = kg_box2_empty();
+    for (size_t k = 0; k < count; k++) {
+        kg_box2_add(&o->boxes[i], p[k]);
+        o->middles[i] = kg_add2(o->middles[i], kg_scale2(p[k], 1 / (double)count));
+        kg_vec2 d = kg_sub2(p[k + 1 < count ? k + 1 : 0], p[k]);
+        double length = kg_len2(d);
+        kg_vec2 inward = kg_scale2(kg_v2(-d.y, d.x), 1 / length);
+        sides[k] = length > touch ? (kg_outline_side){inward, kg_dot2(inward, p[k])}
+                                  : (kg_outline_side){kg_v2(0, 0), -INFINITY};
+    }
+}
+
+static double depth(const kg_outline_side *side, kg_vec2 p) {
+    return kg_dot2(side->inward, p) - side->offset;
+}
+
+/* The point is inside a loop, farther than `tolerance` from every side. */
+static bool holds(const kg_outlines *o, int32_t loop, kg_vec2 p, double tolerance) {
+    const kg_outline_side *sides = o->sides + o->starts[loop];
+    size_t n = kg_outline_size(o, loop), i = 0;
+    while (i < n && depth(&sides[i], p) > tolerance)
+        i++;
+    return i == n;
+}
+
 kg_status kg_outlines_create(const kg_origami_state *s, kg_outlines *out) {
     size_t n = s->loops.count;
     kg_outlines o = {.starts = calloc(n + 1, sizeof *o.starts),
-                     .points = calloc(s->halves.count + 1, sizeof *o.points),
-                     .boxes = calloc(n + 1, sizeof *o.boxes),
+                     .points = malloc((s->halves.count + 1) * sizeof *o.points),
+                     .sides = malloc((s->halves.count + 1) * sizeof *o.sides),
+                     .boxes = malloc((n + 1) * sizeof *o.boxes),
                      .middles = calloc(n + 1, sizeof *o.middles),
+                     .probes = calloc(n + 1, sizeof *o.probes),
                      .facing = calloc(n + 1, 1)};
-    if (!o.starts || !o.points || !o.boxes || !o.middles || !o.facing) {
+    if (!o.starts || !o.points || !o.sides || !o.boxes || !o.middles || !o.probes || !o.facing) {
         kg_outlines_clear(&o);
         return KG_ERR_MEMORY;
     }
     for (size_t i = 0; i < n; i++) {
         kg_vec3 u, v;
         kg_plane_axes(s->groups.items[s->loops.items[i].group].normal, &u, &v);
-        kg_vec2 *p = o.points + o.starts[i];
-        size_t count = kg_state_polygon(s, (int32_t)i, &u, &v, p);
-        o.starts[i + 1] = o.starts[i] + count;
-        o.facing[i] = kg_polygon_area(p, count) >= 0 ? 1 : -1;
-        for (size_t a = 0, b = count - 1; o.facing[i] < 0 && a < b; a++, b--) {
-            kg_vec2 swap = p[a];
-            p[a] = p[b], p[b] = swap;
-        }
-        o.boxes[i] = kg_box2_empty();
-        for (size_t k = 0; k < count; k++) {
-            kg_box2_add(&o.boxes[i], p[k]);
-            o.middles[i] = kg_add2(o.middles[i], kg_scale2(p[k], 1 / (double)count));
-        }
+        o.starts[i + 1] =
+            o.starts[i] + kg_state_polygon(s, (int32_t)i, &u, &v, o.points + o.starts[i]);
+        measure(&o, i, s->touch);
     }
     *out = o;
     return KG_OK;
@@ -40,22 +67,45 @@ kg_status kg_outlines_create(const kg_origami_state *s, kg_outlines *out) {
 void kg_outlines_clear(kg_outlines *o) {
     free(o->starts);
     free(o->points);
+    free(o->sides);
     free(o->boxes);
     free(o->middles);
+    free(o->probes);
     free(o->facing);
     *o = (kg_outlines){0};
 }
 
-bool kg_outlines_overlap(const kg_outlines *o, int32_t a, int32_t b, double tolerance) {
-    const kg_box2 *x = &o->boxes[a], *y = &o->boxes[b];
-    if (!(x->lo.x + tolerance < y->hi.x && y->lo.x + tolerance < x->hi.x &&
-          x->lo.y + tolerance < y->hi.y && y->lo.y + tolerance < x->hi.y))
-        return false;
-    const kg_vec2 *p = kg_outline_points(o, a), *q = kg_outline_points(o, b);
-    size_t n = kg_outline_size(o, a), m = kg_outline_size(o, b);
-    /* in a stack most loops hold each other's middles */
-    return kg_convex_holds(q, m, o->middles[a], tolerance) ||
-           kg_convex_overlap(p, n, q, m, tolerance);
+/* Probes are middles of loops: most of them where most loops lie. */
+void kg_outlines_probe(kg_outlines *o, const kg_origami_state *s) {
+    size_t loops = s->loops.count, count = loops < KG_PROBES ? loops : KG_PROBES;
+    for (size_t k = 0; k < count; k++) {
+        kg_vec2 p = o->middles[k * loops / count];
+        for (size_t i = 0; i < loops; i++) {
+            const kg_box2 *box = &o->boxes[i];
+            if (p.x > box->lo.x && p.x < box->hi.x && p.y > box->lo.y && p.y < box->hi.y &&
+                holds(o, (int32_t)i, p, s->touch))
+                o->probes[i].words[k / 64] |= (uint64_t)1 << k % 64;
+        }
+    }
+}
+
+/* Some side of loop a has all of b on its outside, or less than `tolerance` deep inside. */
+static bool side_separates(const kg_outlines *o, int32_t a, int32_t b, double tolerance) {
+    const kg_outline_side *sides = o->sides + o->starts[a];
+    const kg_vec2 *q = kg_outline_points(o, b);
+    size_t sides_count = kg_outline_size(o, a), count = kg_outline_size(o, b);
+    for (size_t i = 0; i < sides_count; i++) {
+        size_t k = 0;
+        while (k < count && depth(&sides[i], q[k]) <= tolerance)
+            k++;
+        if (k == count)
+            return true;
+    }
+    return false;
+}
+
+bool kg_outlines_meet(const kg_outlines *o, int32_t a, int32_t b, double tolerance) {
+    return !side_separates(o, a, b, tolerance) && !side_separates(o, b, a, tolerance);
 }
 
 /* ---- orders ----------------------------------------------------------------------------- */

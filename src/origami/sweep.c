@@ -236,6 +236,13 @@ static kg_vec3 *place(const kg_origami_state *s, const kg_fold_axis *a, solid *s
 
 kg_status kg_sweep(const kg_origami_state *s, const kg_fold_axis *a, const bool *moves,
                    bool *out_collides, kg_collision *out_collision) {
+    /* in the fold's own plane loops part at the start and meet at the end, if at all */
+    size_t own_count = 0;
+    for (size_t i = 0; i < s->loops.count; i++)
+        own_count += s->loops.items[i].group == a->group;
+    *out_collides = false;
+    if (own_count == s->loops.count)
+        return KG_OK;
     sweep w = {.end = fabs(a->angle), .tolerance = s->touch};
     solid *solids = calloc(s->loops.count + 1, sizeof *solids);
     kg_vec3 *corners = solids ? place(s, a, solids) : NULL;
@@ -248,7 +255,6 @@ kg_status kg_sweep(const kg_origami_state *s, const kg_fold_axis *a, const bool 
     kg_collision first = {-1, -1, INFINITY};
     for (size_t i = 0; i < s->loops.count && !status; i++)
         for (size_t k = 0; k < s->loops.count && !status && moves[i]; k++) {
-            /* in the fold's own plane they part at the start and meet at the end, if at all */
             bool own = s->loops.items[i].group == a->group && s->loops.items[k].group == a->group;
             double angle;
             if (moves[k] || own || !ranges_meet(solids[i].radius, solids[k].radius, w.tolerance) ||
