@@ -39,105 +39,222 @@ def screen():
         os.close(read)
 
 
+def wait_for(condition, what, seconds=30):
+    """What the condition gives once it holds; a busy machine gets all the time it needs."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        found = condition()
+        if found:
+            return found
+        time.sleep(0.02)
+    raise AssertionError(f"waited in vain for {what}")
+
+
 class App:
-    def __init__(self, environment, folder, *words):
+    def __init__(self, environment, folder, *words, **settings):
         self.environment = dict(environment, HOME=folder, XDG_CONFIG_HOME=folder,
                                 XDG_STATE_HOME=folder, LANGUAGE="C")
-        settings = pathlib.Path(folder, "katagami", "settings.json")
-        settings.parent.mkdir()
-        settings.write_text('{"net_view": false}')  # the places below are those of a wide 3D view
+        self.state = pathlib.Path(folder, "katagami")
+        self.state.mkdir(exist_ok=True)
+        # the places below are those of a wide 3D view
+        (self.state / "settings.json").write_text(json.dumps({"net_view": False, **settings}))
+        self.said = pathlib.Path(folder, "said.txt")
         began = time.monotonic()
-        self.process = subprocess.Popen([PROGRAM, "edit", *words], env=self.environment,
-                                        cwd=folder, stderr=subprocess.PIPE, text=True)
-        self.window = ""
-        while not self.window and self.process.poll() is None and time.monotonic() - began < 20:
-            self.window = self.xdotool("search", "--onlyvisible", "--pid", str(self.process.pid),
-                                       "--class", "katagami", check=False).split("\n")[0]
+        with self.said.open("w") as said:
+            self.process = subprocess.Popen([PROGRAM, "edit", *words], env=self.environment,
+                                            cwd=folder, stderr=said)
+        try:
+            self.window = wait_for(self.find_window, "a window")
+        except AssertionError:
+            self.kill()
+            raise
         self.opened = time.monotonic() - began
-        if not self.window:
-            self.process.kill()
-            said = self.process.communicate()[1]
-            raise script.Skip("no window: " + said.strip())
-        time.sleep(1)
+        self.settle()
+
+    def find_window(self):
+        if self.process.poll() is not None:
+            said = self.said.read_text()
+            if "OpenGL" in said:
+                raise script.Skip("no window: " + said.strip())
+            raise AssertionError(said)
+        return self.xdotool("search", "--onlyvisible", "--pid", str(self.process.pid),
+                            "--class", "katagami", check=False).split("\n")[0]
 
     def xdotool(self, *words, check=True):
         return subprocess.run(["xdotool", *words], env=self.environment, check=check,
                               capture_output=True, text=True).stdout
 
-    def move(self, x, y):
-        self.xdotool("mousemove", "--window", self.window, str(x), str(y))
-        time.sleep(0.1)
-
-    def drag(self, x, y, dx, dy):
-        self.move(x, y)
-        self.xdotool("mousedown", "1")
-        for i in range(1, 6):
-            self.move(x + dx * i // 5, y + dy * i // 5)
-        self.xdotool("mouseup", "1")
-        time.sleep(0.2)
-
-    def click(self, x, y):
-        self.move(x, y)
-        self.xdotool("click", "1")
-        time.sleep(0.2)
-
-    def key(self, *chords):
-        for chord in chords:
-            self.xdotool("key", chord)
-            time.sleep(0.3)
-
     def cpu(self):
         fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().split()
         return (int(fields[13]) + int(fields[14])) / TICKS
 
+    def sleeps(self):
+        """Whether none of its threads has anything to do."""
+        states = []
+        for task in pathlib.Path(f"/proc/{self.process.pid}/task").iterdir():
+            with contextlib.suppress(OSError):  # it ended meanwhile
+                states.append((task / "stat").read_text().rsplit(")", 1)[1].split()[0])
+        return all(state == "S" for state in states)
+
+    def settle(self):
+        """Waits until everything sent has been dealt with, and shows."""
+        quiet = 0
+        end = time.monotonic() + 30
+        spent = self.cpu()
+        while quiet < 4 and time.monotonic() < end and self.process.poll() is None:
+            time.sleep(0.02)
+            now = self.cpu()
+            quiet = quiet + 1 if self.sleeps() and now == spent else 0
+            spent = now
+
+    def move(self, x, y):
+        self.xdotool("mousemove", "--window", self.window, str(x), str(y))
+
+    def press_and_move(self, x, y, dx, dy):
+        self.move(x, y)
+        self.settle()
+        self.xdotool("mousedown", "1")
+        for i in range(1, 6):
+            self.move(x + dx * i // 5, y + dy * i // 5)
+        self.settle()
+
+    def drag(self, x, y, dx, dy):
+        self.press_and_move(x, y, dx, dy)
+        self.xdotool("mouseup", "1")
+        self.settle()
+
+    def click(self, x, y):
+        self.move(x, y)
+        self.settle()
+        self.xdotool("click", "1")
+        self.settle()
+
+    def key(self, *chords):
+        for chord in chords:
+            self.xdotool("key", chord)
+            self.settle()
+
+    def type(self, text):
+        self.xdotool("type", "--delay", "20", text)
+        self.settle()
+
+    def title(self):
+        return self.xdotool("getwindowname", self.window).strip()
+
+    def autosaves(self):
+        return list(self.state.glob("autosave-*.katagami"))
+
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+
     def end(self):
-        said = self.process.communicate(timeout=30)[1]
-        assert self.process.returncode == 0, said
+        self.xdotool("key", "ctrl+q")
+        assert self.process.wait(timeout=30) == 0, self.said.read_text()
 
 
-def test_a_window_opens_at_once_idles_and_edits():
+@contextlib.contextmanager
+def running(environment, folder, *words, **settings):
+    app = App(environment, folder, *words, **settings)
+    try:
+        yield app
+    finally:
+        if app.process.poll() is None:
+            app.kill()
+
+
+def model_at(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def test_a_window_opens_within_a_second():
+    opened = []
+    with screen() as environment, tempfile.TemporaryDirectory() as folder:
+        while len(opened) < 5 and (not opened or min(opened) >= 1):  # others may have the machine
+            with running(environment, folder, MODEL) as app:
+                opened.append(app.opened)
+                app.end()
+    assert SANITIZED or min(opened) < 1, opened
+
+
+def test_an_idle_window_costs_nothing():
+    with screen() as environment, tempfile.TemporaryDirectory() as folder:
+        with running(environment, folder, MODEL) as app:
+            spent = app.cpu()
+            time.sleep(1.5)
+            assert app.cpu() - spent < 0.05, app.cpu() - spent
+            app.end()
+
+
+def test_a_point_is_dragged_by_the_mouse():
     with screen() as environment, tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "two.katagami")
         shutil.copy(MODEL, path)
-        before = json.loads(path.read_text())
-        app = App(environment, folder, path)
-        assert SANITIZED or app.opened < 3, app.opened  # 0.4 s on a machine with nothing else to do
-        spent = app.cpu()
-        time.sleep(1.5)
-        assert app.cpu() - spent < 0.05, "an idle window costs time"
-        app.click(350, 480)  # the body
-        app.drag(381, 624, -40, 30)  # its first point
-        app.key("ctrl+s")
-        after = json.loads(path.read_text())
-        assert after["patches"][0]["points"][0] != before["patches"][0]["points"][0]
-        assert after["patches"][0]["points"][1:] == before["patches"][0]["points"][1:]
-        assert len(after["history"]["undo"]) == 1
-        app.key("ctrl+q")
-        app.end()
+        before = model_at(path)
+        with running(environment, folder, path) as app:
+            app.click(350, 480)  # the body
+            app.drag(381, 624, -40, 30)  # its first point
+            assert app.title() == "● two.katagami — katagami", app.title()
+            app.key("ctrl+s")
+            wait_for(lambda: app.title() == "two.katagami — katagami", "the model saved")
+            after = model_at(path)
+            assert after["patches"][0]["points"][0] != before["patches"][0]["points"][0]
+            assert after["patches"][0]["points"][1:] == before["patches"][0]["points"][1:]
+            assert len(after["history"]["undo"]) == 1
+            app.end()
 
 
-def test_a_patch_is_placed_by_four_clicks_and_the_net_exported():
+def test_a_patch_is_placed_pulled_and_its_net_exported():
     with screen() as environment, tempfile.TemporaryDirectory() as folder:
-        app = App(environment, folder)
-        app.key("alt+1", "a")
-        for x, y in ((300, 400), (400, 330), (520, 330), (620, 400)):
-            app.click(x, y)
-        app.key("ctrl+s")
-        app.xdotool("type", "--delay", "20", f"{folder}/one.katagami")
-        app.key("Return")
-        model = json.loads(pathlib.Path(folder, "one.katagami").read_text())
-        assert len(model["patches"]) == 1
-        app.key("ctrl+p")
-        app.xdotool("type", "--delay", "20", "file.export_net")
-        app.key("Return")
-        time.sleep(0.5)
-        app.key("Return")  # what kind of file: SVG
-        time.sleep(0.5)
-        app.key("Return")
-        time.sleep(1)
-        assert pathlib.Path(folder, "one.svg").exists()
-        app.key("ctrl+q")
-        app.end()
+        path = pathlib.Path(folder, "one.katagami")
+        with running(environment, folder) as app:
+            app.key("alt+1")
+            app.click(20, 122)  # the button of the tool that places patches
+            for x, y in ((300, 400), (400, 330), (520, 330), (620, 400)):
+                app.click(x, y)
+            app.key("ctrl+s")
+            app.type(str(path))
+            app.key("Return")
+            placed = wait_for(lambda: path.exists() and model_at(path), "the model saved")
+            assert len(placed["patches"]) == 1
+            app.drag(620, 400, 30, 20)  # its last point
+            app.key("ctrl+s")
+            wait_for(lambda: app.title() == "one.katagami — katagami", "the model saved again")
+            pulled = model_at(path)["patches"][0]["points"]
+            points = placed["patches"][0]["points"]
+            assert pulled[:3] == points[:3] and pulled[3][0] > points[3][0] + 1, pulled
+            assert pulled[3][2] < points[3][2] - 1, pulled
+            app.key("ctrl+e")
+            app.key("Return")  # what kind of file: SVG
+            app.key("Return")  # its name: that of the model
+            net = pathlib.Path(folder, "one.svg")
+            wait_for(net.exists, "the net")
+            subprocess.run([PROGRAM, "net", path, "-o", f"{folder}/other.svg"], check=True)
+            assert net.read_text() == pathlib.Path(folder, "other.svg").read_text()
+            assert 'data-part="1"' in net.read_text()
+            app.end()
+
+
+def test_killed_the_work_is_offered_at_the_next_start():
+    with screen() as environment, tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "two.katagami")
+        shutil.copy(MODEL, path)
+        before = model_at(path)
+        with running(environment, folder, path, autosave_minutes=0.01) as app:
+            app.click(350, 480)
+            app.drag(381, 624, -40, 30)
+            kept = model_at(wait_for(app.autosaves, "an autosave")[0])
+            app.kill()
+        assert model_at(path) == before
+        assert kept["patches"][0]["points"][0] != before["patches"][0]["points"][0]
+        with running(environment, folder) as app:
+            app.key("Return")  # Recover
+            wait_for(lambda: app.title() == "● two.katagami — katagami", "the work recovered")
+            app.key("ctrl+s")
+            wait_for(lambda: app.title() == "two.katagami — katagami", "the model saved")
+            assert model_at(path)["patches"] == kept["patches"]
+            assert not app.autosaves()
+            app.end()
 
 
 sys.exit(script.run(globals()))
