@@ -14,17 +14,20 @@ static void language(kg_settings *s) {
         if (strcmp(s->language, codes[i]) == 0)
             index = i;
     kg_ui_width(200);
-    if (kg_ui_choice(_("language"), names, 3, &index))
-        snprintf(s->language, sizeof s->language, "%s", codes[index]);
-    kg_ui_tooltip(_("Takes effect when this window is closed."));
+    if (!kg_ui_choice(_("language"), names, 3, &index))
+        return;
+    snprintf(s->language, sizeof s->language, "%s", codes[index]);
+    kg_language_use(s->language);
 }
 
 void kg_panel_settings(kg_app *app) {
     kg_settings *s = &app->editor.settings;
+    char title[64]; /* known by what is behind ###: it stays open in another language */
+    snprintf(title, sizeof title, "%s###preferences", _("Preferences"));
     if (app->dialogs.open_settings)
-        kg_ui_popup_open(_("Preferences"));
+        kg_ui_popup_open(title);
     app->dialogs.open_settings = false;
-    if (!kg_ui_modal_begin(_("Preferences"), 420))
+    if (!kg_ui_modal_begin(title, 420))
         return;
     const char *const themes[] = {_("dark"), _("light")};
     const char *const navigations[] = {_("katagami"), _("as in Blender")};
@@ -50,7 +53,6 @@ void kg_panel_settings(kg_app *app) {
         kg_error error;
         if (kg_settings_write(s, &error))
             kg_editor_say(&app->editor, KG_FAULT, "%s", error.message);
-        kg_language_use(s->language);
         kg_ui_popup_close();
     }
     kg_ui_popup_end();
