@@ -37,6 +37,12 @@ typedef struct kg_document kg_document;
 KG_API kg_status kg_document_read(const char *path, kg_document **out_document,
                                   kg_error *error) KG_CHECKED;
 
+/* The same from memory, a model file of any mode; `name` is what messages call it, `path` (may be
+ * NULL) where the file lies or will lie. `data` is zero-terminated behind `size`. */
+KG_API kg_status kg_document_read_memory(const char *data, size_t size, const char *name,
+                                         const char *path, kg_document **out_document,
+                                         kg_error *error) KG_CHECKED;
+
 /* Takes over a model; `path` (may be NULL) is where its file lies or will lie. */
 KG_API kg_status kg_document_from_model(kg_model *model, const char *path,
                                         kg_document **out_document, kg_error *error) KG_CHECKED;
@@ -66,6 +72,23 @@ KG_API kg_oa *kg_document_oa(kg_document *document);
 KG_API kg_origami *kg_document_origami(kg_document *document);
 /* What is known of the layers of a crease pattern that was read; NULL for all others. */
 KG_API const kg_layer_report *kg_document_layers(const kg_document *document);
+
+/* ---- contents: what undo is made of ------------------------------------------------------ */
+
+/* Another document of the same content and place, not solved. KG_ERR_MEMORY. */
+KG_API kg_status kg_document_copy(const kg_document *document, kg_document **out_copy,
+                                  kg_error *error) KG_CHECKED;
+/* Whether two documents hold the same, wherever they lie. */
+KG_API bool kg_document_equal(const kg_document *a, const kg_document *b);
+/* Exchanges the contents of two documents of one kind, which then are to be solved. */
+KG_API void kg_document_swap(kg_document *a, kg_document *b);
+/* The text of its file, zero-terminated; free() it. */
+KG_API kg_status kg_document_write_memory(const kg_document *document, char **out_text,
+                                          size_t *out_size, kg_error *error) KG_CHECKED;
+/* The file's object as it was read (NULL for none), whose unknown keys are written again. */
+KG_API struct json_t **kg_document_json(kg_document *document);
+
+/* ---- what follows from them -------------------------------------------------------------- */
 
 /* Works out everything that follows from the model, with chord errors up to `chord` mm. Needed
  * before the calls below, and again after the model was changed; then only what changed is done

@@ -2,6 +2,7 @@
 
 #include "app/commands/commands.h"
 #include "app/language.h"
+#include "app/mode.h"
 #include "app/panels/panels.h"
 #include "app/recovery.h"
 #include "app/tools/tool.h"
@@ -93,7 +94,10 @@ static void serve_request(kg_app *app) {
 
 void kg_app_open(kg_app *app, const char *path) {
     const char *dot = strrchr(path, '.');
-    bool is_model = !dot || strcasecmp(dot, ".katagami") == 0 || strcasecmp(dot, ".json") == 0;
+    static const char *const models[] = {".katagami", ".json", ".fold", ".cp"};
+    bool is_model = !dot;
+    for (size_t i = 0; dot && i < sizeof models / sizeof *models; i++)
+        is_model = is_model || strcasecmp(dot, models[i]) == 0;
     snprintf(app->dialogs.path, sizeof app->dialogs.path, "%s", path);
     if (is_model)
         kg_dialogs_go_on(app, KG_FOR_OPEN_PATH);
@@ -116,7 +120,7 @@ static void give_to_editor(kg_app *app, const kg_event *event) {
         return;
     if (e->tool->event(e, event) || event->type != KG_EVENT_KEY)
         return;
-    const kg_app_command *command = kg_command_of_key(event, e->settings.navigation);
+    const kg_app_command *command = kg_command_of_key(e, event);
     kg_error error;
     if (command && kg_command_is_enabled(command, e) && kg_command_run(command, e, NULL, &error))
         return; /* it is shown */
@@ -168,6 +172,8 @@ void kg_app_event(kg_app *app, const kg_event *event, double seconds) {
         kg_pane_fit(&e->pane, kg_editor_box(e, false));
         app->framed = true;
     }
+    if (e->mode->tick && e->mode->tick(e, seconds))
+        app->busy = app->redraw = true;
     kg_recovery_tick(app);
     app->redraw = app->redraw || event->type != KG_EVENT_NONE;
 }

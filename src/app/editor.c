@@ -1,14 +1,15 @@
 #include "app/editor.h"
 
+#include "app/mode.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
 #include "base/array.h"
-#include "model/edit.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 kg_model *kg_editor_model(const kg_editor *e) {
     return kg_document_model(e->document);
@@ -16,6 +17,18 @@ kg_model *kg_editor_model(const kg_editor *e) {
 
 const kg_solution *kg_editor_solution(const kg_editor *e) {
     return kg_document_solution(e->document);
+}
+
+kg_oa *kg_editor_oa(const kg_editor *e) {
+    return kg_document_oa(e->document);
+}
+
+kg_origami *kg_editor_origami(const kg_editor *e) {
+    return kg_document_origami(e->document);
+}
+
+bool kg_editor_is(const kg_editor *e, kg_document_kind kind) {
+    return kg_document_get_kind(e->document) == kind;
 }
 
 void kg_editor_say(kg_editor *e, kg_severity severity, const char *format, ...) {
@@ -99,56 +112,14 @@ bool kg_editor_shows_points(const kg_editor *e, int64_t patch) {
     return e->level == KG_LEVEL_POINTS && p && !p->hidden && kg_editor_is_selected(e, patch);
 }
 
-/* Drops what the model no longer has. */
-static void prune_selection(kg_editor *e) {
-    const kg_model *m = kg_editor_model(e);
-    for (size_t i = e->selection.patches.count; i-- > 0;)
-        if (!kg_model_find(m, e->selection.patches.items[i]))
-            deselect(e, e->selection.patches.items[i]);
-    size_t kept = 0;
-    for (size_t i = 0; i < e->selection.points.count; i++) {
-        kg_point_ref r = e->selection.points.items[i];
-        const kg_model_patch *p = kg_model_find(m, r.patch);
-        if (p && r.index < p->input.point_count)
-            e->selection.points.items[kept++] = r;
-    }
-    e->selection.points.count = kept;
-    if (!kg_model_find(m, e->hover_point.patch))
-        e->hover_point.patch = 0;
-    if (!kg_model_find(m, e->hover_patch))
-        e->hover_patch = 0;
-}
-
-/* Brings what is kept beside the solution up to it. */
 static void follow_solution(kg_editor *e) {
     e->solved++;
-    if (kg_surfaces_update(&e->surfaces, kg_editor_solution(e)))
-        kg_editor_say(e, KG_FAULT, "%s", _("Out of memory: some patches are not shown."));
-    prune_selection(e);
-}
-
-static void add_patch_box(const kg_editor *e, const kg_model_patch *p, kg_box3 *box) {
-    const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), p->id);
-    bool any = false;
-    for (size_t i = 0; s && i < s->regions.count; i++)
-        for (size_t k = 0; k < s->regions.items[i].loops[0].point_count; k++, any = true)
-            kg_box3_add(box, s->regions.items[i].loops[0].points[k].x);
-    for (size_t i = 0; !any && i < p->input.point_count; i++)
-        kg_box3_add(box, p->input.points[i]);
+    if (e->mode->follow)
+        e->mode->follow(e);
 }
 
 kg_box3 kg_editor_box(const kg_editor *e, bool selection) {
-    const kg_model *m = kg_editor_model(e);
-    kg_box3 box = kg_box3_empty();
-    for (size_t i = 0; i < m->patch_count; i++)
-        if (!m->patches[i].hidden && (!selection || kg_editor_is_selected(e, m->patches[i].id)))
-            add_patch_box(e, &m->patches[i], &box);
-    if (!selection && e->backdrop.mesh && m->reference.visible) {
-        kg_box3 b = kg_mesh_bounds(e->backdrop.mesh);
-        kg_box3_add(&box, b.lo);
-        kg_box3_add(&box, b.hi);
-    }
-    return box;
+    return e->mode->box(e, selection);
 }
 
 /* ---- tools ------------------------------------------------------------------------------ */
@@ -164,7 +135,7 @@ void kg_editor_use(kg_editor *e, const kg_tool *tool, void *state) {
 }
 
 void kg_editor_use_default(kg_editor *e) {
-    kg_editor_use(e, &kg_tool_select, NULL);
+    kg_editor_use(e, e->mode->tool, NULL);
 }
 
 /* ---- changes ---------------------------------------------------------------------------- */
@@ -172,9 +143,11 @@ void kg_editor_use_default(kg_editor *e) {
 kg_status kg_editor_begin(kg_editor *e, const char *label, kg_error *error) {
     if (e->before)
         return KG_OK;
-    e->before = kg_model_copy(kg_editor_model(e));
-    if (!e->before)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_document *before;
+    kg_status status = kg_document_copy(e->document, &before, error);
+    if (status)
+        return status;
+    e->before = before;
     snprintf(e->gesture, sizeof e->gesture, "%s", label);
     return KG_OK;
 }
@@ -185,12 +158,12 @@ void kg_editor_touch(kg_editor *e) {
 
 void kg_editor_commit(kg_editor *e) {
     kg_error error;
-    kg_model *before = e->before;
+    kg_document *before = e->before;
     e->before = NULL;
     if (!before)
         return;
-    if (kg_model_equal(before, kg_editor_model(e))) {
-        kg_model_destroy(before);
+    if (kg_document_equal(before, e->document)) {
+        kg_document_destroy(before);
         return;
     }
     uint64_t state = e->state;
@@ -203,8 +176,8 @@ void kg_editor_commit(kg_editor *e) {
 void kg_editor_cancel(kg_editor *e) {
     if (!e->before)
         return;
-    kg_model_swap(kg_editor_model(e), e->before);
-    kg_model_destroy(e->before);
+    kg_document_swap(e->document, e->before);
+    kg_document_destroy(e->before);
     e->before = NULL;
     kg_editor_touch(e);
 }
@@ -217,8 +190,11 @@ kg_status kg_editor_finish(kg_editor *e, kg_status status) {
     return status;
 }
 
-/* The reference of a model, to know whether a step changed it. */
-static bool same_reference(const kg_model *a, const kg_model *b) {
+/* Whether a step left the reference as it was. */
+static bool same_reference(kg_document *from, kg_document *to) {
+    const kg_model *a = kg_document_model(from), *b = kg_document_model(to);
+    if (!a)
+        return true;
     const kg_reference *r = &a->reference, *s = &b->reference;
     bool same_file = r->file && s->file ? strcmp(r->file, s->file) == 0 : r->file == s->file;
     return same_file && r->size_mm == s->size_mm && r->up_y == s->up_y &&
@@ -228,12 +204,12 @@ static bool same_reference(const kg_model *a, const kg_model *b) {
 
 static bool step_back_or_forth(kg_editor *e, bool back) {
     if (e->before ||
-        !(back ? kg_history_undo : kg_history_redo)(&e->history, kg_editor_model(e), &e->state))
+        !(back ? kg_history_undo : kg_history_redo)(&e->history, e->document, &e->state))
         return false;
     const kg_steps *to = back ? &e->history.redo : &e->history.undo;
     kg_editor_touch(e);
     kg_editor_update(e);
-    if (!same_reference(to->items[to->count - 1].model, kg_editor_model(e)))
+    if (!same_reference(to->items[to->count - 1].content, e->document))
         kg_editor_load_reference(e);
     return true;
 }
@@ -302,22 +278,42 @@ void kg_editor_load_reference(kg_editor *e) {
     }
 }
 
-/* Puts a document in the place of the one before it. */
-static void replace_document(kg_editor *e, kg_document *document, char *path) {
-    kg_editor_use_default(e);
+kg_status kg_editor_take(kg_editor *e, kg_document *document, const char *path, kg_error *error) {
+    const kg_mode *mode = kg_mode_of(kg_document_get_kind(document));
+    void *state = NULL;
+    char *copy = path ? strdup(path) : NULL;
+    kg_status status = path && !copy ? kg_fail(error, KG_ERR_MEMORY, "out of memory") : KG_OK;
+    if (!status)
+        status = kg_document_solve(document, KG_EDITOR_CHORD, error);
+    if (!status && mode->create)
+        status = mode->create(document, &state, error);
+    if (status) {
+        kg_document_destroy(document);
+        free(copy);
+        return status;
+    }
+    if (e->document)
+        kg_editor_use_default(e);
+    if (e->mode_state)
+        e->mode->destroy(e->mode_state);
     kg_history_clear(&e->history);
     kg_document_destroy(e->document);
     free(e->path);
     e->document = document;
-    e->path = path;
-    kg_history_restore(kg_editor_model(e), &e->next_state, &e->history);
+    e->mode = mode;
+    e->mode_state = state;
+    e->path = copy;
+    kg_editor_use_default(e);
+    kg_history_restore(document, &e->next_state, &e->history);
     e->state = e->saved_state = e->autosaved_state = e->next_state++;
     kg_editor_select_none(e);
     e->hover_point = (kg_point_ref){0};
     e->hover_patch = 0;
+    e->stale = false;
     follow_solution(e);
     e->message[0] = '\0';
     kg_editor_load_reference(e);
+    return KG_OK;
 }
 
 kg_status kg_editor_new(kg_editor *e, kg_error *error) {
@@ -326,35 +322,20 @@ kg_status kg_editor_new(kg_editor *e, kg_error *error) {
     if (!model)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     kg_status status = kg_document_from_model(model, NULL, &document, error);
-    if (status)
-        return status;
-    if ((status = kg_document_solve(document, KG_EDITOR_CHORD, error))) {
-        kg_document_destroy(document);
-        return status;
-    }
-    replace_document(e, document, NULL);
-    return KG_OK;
+    return status ? status : kg_editor_take(e, document, NULL, error);
+}
+
+static bool ends_in(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n >= m && strcasecmp(path + n - m, ending) == 0;
 }
 
 kg_status kg_editor_open(kg_editor *e, const char *path, kg_error *error) {
     kg_document *document;
-    char *copy = strdup(path);
-    kg_status status = copy ? kg_document_read(path, &document, error)
-                            : kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    kg_document *opened = status ? NULL : document;
-    if (!status && !kg_document_model(document))
-        status =
-            kg_fail(error, KG_ERR_INPUT,
-                    "%s is no patch model; use the commands net, export and render for it", path);
-    if (!status)
-        status = kg_document_solve(document, KG_EDITOR_CHORD, error);
-    if (status) {
-        kg_document_destroy(opened);
-        free(copy);
-        return status;
-    }
-    replace_document(e, document, copy);
-    return KG_OK;
+    kg_status status = kg_document_read(path, &document, error);
+    bool is_pattern =
+        ends_in(path, ".fold") || ends_in(path, ".cp"); /* saving writes no such file */
+    return status ? status : kg_editor_take(e, document, is_pattern ? NULL : path, error);
 }
 
 kg_status kg_editor_save(kg_editor *e, const char *path, kg_error *error) {
@@ -363,14 +344,13 @@ kg_status kg_editor_save(kg_editor *e, const char *path, kg_error *error) {
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     if (e->before)
         kg_editor_commit(e);
-    kg_model *model = kg_editor_model(e);
-    kg_status status = kg_history_store(&e->history, model, error);
+    kg_status status = kg_history_store(&e->history, e->document, error);
     if (!status)
         status = kg_document_save(e->document, copy, error);
-    /* the history is the file's alone: within the model it would be part of every step */
+    /* the history is the file's alone: within the document it would be part of every step */
     kg_history none = {0};
     kg_error ignored;
-    if (kg_history_store(&none, model, &ignored))
+    if (kg_history_store(&none, e->document, &ignored))
         kg_editor_say(e, KG_WARNING, "%s", ignored.message);
     if (status) {
         free(copy);
@@ -389,8 +369,7 @@ bool kg_editor_is_modified(const kg_editor *e) {
 /* ---- life ------------------------------------------------------------------------------- */
 
 kg_status kg_editor_init(kg_editor *e, const kg_settings *settings, kg_error *error) {
-    *e = (kg_editor){
-        .next_state = 1, .patch_opacity = 1, .tool = &kg_tool_select, .mirror_normal = {0, 1, 0}};
+    *e = (kg_editor){.next_state = 1, .patch_opacity = 1, .mirror_normal = {0, 1, 0}};
     e->pane.camera = kg_camera_default();
     e->pane.area = (kg_area){0, 0, 1, 1};
     e->pane.scale = 1;
@@ -405,7 +384,9 @@ kg_status kg_editor_init(kg_editor *e, const kg_settings *settings, kg_error *er
 void kg_editor_clear(kg_editor *e) {
     if (e->tool && e->tool->end && e->document)
         e->tool->end(e);
-    kg_model_destroy(e->before);
+    kg_document_destroy(e->before);
+    if (e->mode_state)
+        e->mode->destroy(e->mode_state);
     kg_history_clear(&e->history);
     clear_backdrop(&e->backdrop);
     kg_surfaces_clear(&e->surfaces);

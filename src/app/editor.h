@@ -20,6 +20,7 @@
 #define KG_EDITOR_CHORD 0.05
 
 typedef struct kg_tool kg_tool;
+typedef struct kg_mode kg_mode;
 
 typedef enum kg_level { KG_LEVEL_POINTS, KG_LEVEL_PATCHES } kg_level;
 
@@ -67,13 +68,15 @@ typedef struct kg_backdrop {
 
 typedef struct kg_editor {
     kg_document *document; /* never NULL, always solved */
+    const kg_mode *mode;   /* of the document's kind */
+    void *mode_state;      /* the mode's own */
     char *path;            /* NULL: never saved */
     kg_history history;
-    uint64_t state, saved_state, next_state; /* numbers of states of the model */
+    uint64_t state, saved_state, next_state; /* numbers of states of the document */
     uint64_t autosaved_state;
-    kg_model *before; /* in a gesture: the model when it began */
+    kg_document *before; /* in a gesture: the document when it began */
     char gesture[64];
-    bool stale;      /* the model changed since it was solved */
+    bool stale;      /* the document changed since it was solved */
     uint64_t solved; /* counts the solutions */
 
     kg_selection selection;
@@ -101,20 +104,29 @@ typedef struct kg_editor {
     double clock; /* s */
 } kg_editor;
 
-/* An empty model. `settings` is copied. */
+/* An empty patch model. `settings` is copied. */
 kg_status kg_editor_init(kg_editor *editor, const kg_settings *settings,
                          kg_error *error) KG_CHECKED;
 void kg_editor_clear(kg_editor *editor);
 
+bool kg_editor_is(const kg_editor *editor, kg_document_kind kind);
+/* The model of a patch document and its solution, the card of a pop-up document, the sheets of an
+ * origami document; NULL for the others. */
 kg_model *kg_editor_model(const kg_editor *editor);
 const kg_solution *kg_editor_solution(const kg_editor *editor);
+kg_oa *kg_editor_oa(const kg_editor *editor);
+kg_origami *kg_editor_origami(const kg_editor *editor);
 
 /* ---- files ------------------------------------------------------------------------------ */
 
 /* Opening replaces everything; on failure nothing changes. */
 kg_status kg_editor_new(kg_editor *editor, kg_error *error) KG_CHECKED;
 kg_status kg_editor_open(kg_editor *editor, const char *path, kg_error *error) KG_CHECKED;
-/* Saves model and history; `path` NULL: where it came from. */
+/* The same with a document made elsewhere, which it takes over, also on failure; it is solved if it
+ * was not. `path` (may be NULL) is where saving writes to. */
+kg_status kg_editor_take(kg_editor *editor, kg_document *document, const char *path,
+                         kg_error *error) KG_CHECKED;
+/* Saves document and history; `path` NULL: where it came from. */
 kg_status kg_editor_save(kg_editor *editor, const char *path, kg_error *error) KG_CHECKED;
 bool kg_editor_is_modified(const kg_editor *editor);
 /* Loads the reference that the model names; a mesh that cannot be read is a message. */
@@ -124,11 +136,11 @@ void kg_editor_load_reference(kg_editor *editor);
 
 /* Starts a step called `label`; within another one it joins that. KG_ERR_MEMORY. */
 kg_status kg_editor_begin(kg_editor *editor, const char *label, kg_error *error) KG_CHECKED;
-/* To be called after every change of the model within a step. */
+/* To be called after every change of the document within a step. */
 void kg_editor_touch(kg_editor *editor);
 /* Ends the step; one that changed nothing leaves no trace. */
 void kg_editor_commit(kg_editor *editor);
-/* Ends the step and puts the model back as it was. */
+/* Ends the step and puts the document back as it was. */
 void kg_editor_cancel(kg_editor *editor);
 /* Commits when `status` is KG_OK, else cancels; returns `status`. */
 kg_status kg_editor_finish(kg_editor *editor, kg_status status);
@@ -167,7 +179,7 @@ size_t kg_editor_hits(const kg_editor *editor, kg_vec2 px, kg_hit *out_hits, siz
 
 /* Ends the tool in use and starts another; `state` (may be NULL) becomes its own. */
 void kg_editor_use(kg_editor *editor, const kg_tool *tool, void *state);
-/* Back to selecting. */
+/* Back to what the mode does by itself. */
 void kg_editor_use_default(kg_editor *editor);
 
 #endif

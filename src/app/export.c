@@ -5,13 +5,6 @@
 #include <string.h>
 #include <strings.h>
 
-kg_status kg_export_copy(const kg_editor *e, kg_document **out_document, kg_error *error) {
-    kg_model *model = kg_model_copy(kg_editor_model(e));
-    if (!model)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    return kg_document_from_model(model, kg_document_path(e->document), out_document, error);
-}
-
 kg_status kg_export_net(kg_document *document, const kg_net_options *options, double tab_width,
                         const char *path, const kg_progress *progress, kg_error *error) {
     kg_document_net net;
@@ -53,7 +46,7 @@ kg_status kg_export_file(const kg_editor *e, const char *path, kg_error *error) 
     for (size_t i = 0; dot && i < sizeof nets / sizeof *nets; i++)
         is_net = is_net || strcasecmp(dot, nets[i]) == 0;
     kg_document *document;
-    kg_status status = kg_export_copy(e, &document, error);
+    kg_status status = kg_document_copy(e->document, &document, error);
     if (status)
         return status;
     status = is_net ? export_net(document, path, error) : export_mesh(document, path, error);

@@ -8,10 +8,6 @@
  * .stl .off .gltf .glb a mesh. */
 kg_status kg_export_file(const kg_editor *editor, const char *path, kg_error *error) KG_CHECKED;
 
-/* A document of the same model and place, not solved; to be worked on by another thread. */
-kg_status kg_export_copy(const kg_editor *editor, kg_document **out_document,
-                         kg_error *error) KG_CHECKED;
-
 /* The net of a document (solved here) to pages. */
 kg_status kg_export_net(kg_document *document, const kg_net_options *options, double tab_width,
                         const char *path, const kg_progress *progress, kg_error *error) KG_CHECKED;

@@ -82,7 +82,7 @@ kg_status kg_export_job_start(const kg_editor *e, const char *path, kg_export_jo
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
     j->choice = e->settings.export;
-    kg_status status = kg_export_copy(e, &j->document, error);
+    kg_status status = kg_document_copy(e->document, &j->document, error);
     if (!status && pthread_create(&j->thread, NULL, run, j))
         status = kg_fail(error, KG_ERR_MEMORY, "no memory for another thread");
     if (status)

@@ -59,13 +59,14 @@ kg_event kg_monkey_event(uint64_t *state, int width, int height, kg_vec2 pointer
 kg_status kg_monkey_check(const kg_app *app, kg_error *error) {
     char *text;
     size_t size;
-    kg_model *model;
-    kg_status status = kg_model_write_memory(kg_editor_model(&app->editor), &text, &size, error);
+    kg_document *read;
+    const kg_document *d = app->editor.document;
+    kg_status status = kg_document_write_memory(d, &text, &size, error);
     if (status)
         return status;
-    status = kg_model_read_memory(text, size, "the model", &model, error);
+    status = kg_document_read_memory(text, size, "the document", NULL, &read, error);
     free(text);
     if (!status)
-        kg_model_destroy(model);
+        kg_document_destroy(read);
     return status;
 }

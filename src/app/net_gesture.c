@@ -137,7 +137,8 @@ static void hover(kg_net_view *v, kg_editor *e, kg_vec2 px) {
     v->hover_join = kg_net_view_join_at(v, px);
     v->hover_part = kg_net_view_part_at(v, px);
     e->hover_point = (kg_point_ref){0};
-    e->hover_patch = v->hover_part >= 0 ? part_of(v, v->hover_part)->source : 0;
+    e->hover_patch =
+        v->hover_part >= 0 && kg_editor_model(e) ? part_of(v, v->hover_part)->source : 0;
 }
 
 static void press(kg_net_view *v, const kg_event *event) {
@@ -155,7 +156,7 @@ static void move(kg_net_view *v, kg_editor *e, const kg_event *event) {
     bool far = kg_dist2(event->position, v->pressed) >= KG_CLICK_DISTANCE * v->scale;
     const kg_net_picture *p = kg_net_state_picture(v->state);
     if (v->gesture == KG_NET_PRESSED && far) {
-        int part = v->button == KG_MOUSE_LEFT && p && p->options.paper.x > 0
+        int part = v->button == KG_MOUSE_LEFT && p && p->options.paper.x > 0 && kg_editor_model(e)
                        ? kg_net_view_part_at(v, v->pressed)
                        : -1;
         if (part >= 0)
@@ -196,6 +197,8 @@ static void click(kg_net_view *v, kg_editor *e, const kg_event *event) {
         return;
     }
     if (v->button != KG_MOUSE_LEFT)
+        return;
+    if (!kg_editor_model(e)) /* one sheet: nothing to choose from */
         return;
     v->active_part = part;
     if (part >= 0)

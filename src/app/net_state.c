@@ -180,7 +180,7 @@ static void start(kg_net_state *s, const kg_editor *e) {
     }
     j->number = e->solved;
     j->rough = s->rough;
-    if (kg_export_copy(e, &j->document, &error)) {
+    if (kg_document_copy(e->document, &j->document, &error)) {
         fail(s, error.message);
         destroy_job(j);
     } else if (!take_seats(s, j) || pthread_create(&j->thread, NULL, run, j)) {

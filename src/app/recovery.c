@@ -1,7 +1,6 @@
 #include "app/recovery.h"
 
 #include "app/text.h"
-#include "model/edit.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -31,23 +30,18 @@ double kg_recovery_due(const kg_app *app) {
     return fmax(app->autosaved + 60 * e->settings.autosave_minutes - e->clock, 0);
 }
 
-/* A copy of the model that names its file. */
+/* A copy of the document that names its file. */
 static kg_status write_copy(kg_editor *e, const char *path, kg_error *error) {
-    kg_model *copy = kg_model_copy(kg_editor_model(e));
-    kg_document *document = NULL;
-    if (!copy)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    kg_status status = kg_history_store(&e->history, copy, error);
-    if (!status && e->path)
-        json_object_set_new(copy->json, ORIGIN, json_string(e->path));
-    if (status) {
-        kg_model_destroy(copy);
+    kg_document *copy;
+    kg_status status = kg_document_copy(e->document, &copy, error);
+    if (status)
         return status;
-    }
-    status = kg_document_from_model(copy, kg_document_path(e->document), &document, error);
+    status = kg_history_store(&e->history, copy, error);
+    if (!status && e->path)
+        json_object_set_new(*kg_document_json(copy), ORIGIN, json_string(e->path));
     if (!status)
-        status = kg_document_save(document, path, error);
-    kg_document_destroy(document);
+        status = kg_document_save(copy, path, error);
+    kg_document_destroy(copy);
     return status;
 }
 
@@ -92,15 +86,16 @@ void kg_recovery_offer(kg_app *app) {
         closedir(files);
 }
 
-/* The file the work belongs to; the note of it is taken out of the model. */
-static char *take_origin(kg_model *m) {
-    const char *origin = json_string_value(json_object_get(m->json, ORIGIN));
+/* The file the work belongs to; the note of it is taken out of the document. */
+static char *take_origin(kg_document *d) {
+    json_t **file = kg_document_json(d);
+    const char *origin = json_string_value(json_object_get(*file, ORIGIN));
     char *copy = origin ? strdup(origin) : NULL;
-    json_t *rest = origin ? json_copy(m->json) : NULL;
+    json_t *rest = origin ? json_copy(*file) : NULL;
     if (rest) {
         json_object_del(rest, ORIGIN);
-        json_decref(m->json);
-        m->json = rest;
+        json_decref(*file);
+        *file = rest;
     }
     return copy;
 }
@@ -114,7 +109,7 @@ void kg_recovery_take(kg_app *app) {
         return;
     }
     free(e->path);
-    e->path = take_origin(kg_editor_model(e));
+    e->path = take_origin(e->document);
     e->saved_state = e->next_state++; /* it is in no file of the user's */
     app->autosaved = e->clock;
     app->framed = false;

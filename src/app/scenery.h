@@ -1,6 +1,6 @@
 /*
- * The 3D picture of an editor: its patches, reference, selection and what the tool shows. Shapes
- * stay on the graphics card until what they show changes.
+ * The 3D picture of an editor: what its mode and its tool show. Shapes stay on the graphics card
+ * until what they show changes.
  */
 #ifndef KG_APP_SCENERY_H
 #define KG_APP_SCENERY_H
@@ -20,6 +20,9 @@ kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *editor, int height
 /* The same as a picture of its own. */
 kg_status kg_scenery_picture(kg_scenery *stage, const kg_editor *editor, int width, int height,
                              kg_image *out_image, kg_error *error) KG_CHECKED;
+
+/* Lines so many layout units wide. */
+kg_style kg_line_style(kg_color color, float width);
 
 /* The colour a patch is shown in: its own, else the palette's. */
 kg_color kg_patch_color(const kg_model_patch *patch, size_t index);

@@ -91,11 +91,26 @@ static bool is_kind(const char *data, size_t size, const char *wanted) {
     return is;
 }
 
-kg_status kg_document_read(const char *path, kg_document **out_document, kg_error *error) {
-    const char *name = strcmp(path, "-") ? path : "standard input";
+kg_status kg_document_read_memory(const char *data, size_t size, const char *name, const char *path,
+                                  kg_document **out_document, kg_error *error) {
     kg_model *model;
     kg_oa *oa;
     kg_origami *origami;
+    kg_status status;
+    if (is_kind(data, size, "oa")) {
+        status = kg_oa_read_memory(data, size, name, &oa, error);
+        return status ? status : kg_document_from_oa(oa, path, out_document, error);
+    }
+    if (is_kind(data, size, "origami")) {
+        status = kg_origami_read_memory(data, size, name, &origami, error);
+        return status ? status : kg_document_from_origami(origami, path, out_document, error);
+    }
+    status = kg_model_read_memory(data, size, name, &model, error);
+    return status ? status : kg_document_from_model(model, path, out_document, error);
+}
+
+kg_status kg_document_read(const char *path, kg_document **out_document, kg_error *error) {
+    const char *name = strcmp(path, "-") ? path : "standard input";
     char *data;
     size_t size;
     if (ends_in(path, ".fold") || ends_in(path, ".cp"))
@@ -103,19 +118,7 @@ kg_status kg_document_read(const char *path, kg_document **out_document, kg_erro
     kg_status status = kg_file_read(path, &data, &size, error);
     if (status)
         return status;
-    if (is_kind(data, size, "oa")) {
-        status = kg_oa_read_memory(data, size, name, &oa, error);
-        if (!status)
-            status = kg_document_from_oa(oa, path, out_document, error);
-    } else if (is_kind(data, size, "origami")) {
-        status = kg_origami_read_memory(data, size, name, &origami, error);
-        if (!status)
-            status = kg_document_from_origami(origami, path, out_document, error);
-    } else {
-        status = kg_model_read_memory(data, size, name, &model, error);
-        if (!status)
-            status = kg_document_from_model(model, path, out_document, error);
-    }
+    status = kg_document_read_memory(data, size, name, path, out_document, error);
     free(data);
     return status;
 }

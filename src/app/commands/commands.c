@@ -1,11 +1,15 @@
 #include "app/commands/commands.h"
 
+#include "app/mode.h"
+#include "app/text.h"
+
 #include <stdio.h>
 #include <string.h>
 
 static const kg_command_table *const tables[] = {
-    &kg_file_commands, &kg_edit_commands, &kg_patch_commands, &kg_move_commands,
-    &kg_net_commands,  &kg_trim_commands, &kg_mend_commands,  &kg_view_commands};
+    &kg_file_commands,  &kg_edit_commands, &kg_select_commands, &kg_reference_commands,
+    &kg_patch_commands, &kg_move_commands, &kg_net_commands,    &kg_part_commands,
+    &kg_trim_commands,  &kg_mend_commands, &kg_view_commands};
 enum { TABLE_COUNT = sizeof tables / sizeof *tables };
 
 size_t kg_command_count(void) {
@@ -31,6 +35,13 @@ const kg_app_command *kg_command_find(const char *id) {
     return NULL;
 }
 
+bool kg_command_is_for(const kg_app_command *command, kg_document_kind kind) {
+    for (size_t i = 0; i < TABLE_COUNT; i++)
+        if (command >= tables[i]->items && command < tables[i]->items + tables[i]->count)
+            return tables[i]->kinds == 0 || tables[i]->kinds & KG_FOR_KIND(kind);
+    return false;
+}
+
 /* ---- keys ------------------------------------------------------------------------------- */
 
 const char *kg_command_keys(const kg_app_command *command, kg_navigation navigation) {
@@ -52,16 +63,19 @@ void kg_command_shortcut(const kg_app_command *command, kg_navigation navigation
         next_chord(keys, out);
 }
 
-const kg_app_command *kg_command_of_key(const kg_event *event, kg_navigation navigation) {
+const kg_app_command *kg_command_of_key(const kg_editor *e, const kg_event *event) {
     for (size_t i = 0; i < kg_command_count(); i++) {
-        const char *keys = kg_command_keys(kg_command_at(i), navigation);
+        const kg_app_command *command = kg_command_at(i);
+        if (!kg_command_is_for(command, kg_document_get_kind(e->document)))
+            continue;
+        const char *keys = kg_command_keys(command, e->settings.navigation);
         while (keys) {
             char text[32];
             kg_chord chord;
             keys = next_chord(keys, text);
             if (kg_chord_parse(text, &chord) && chord.key == event->key &&
                 chord.mods == event->mods)
-                return kg_command_at(i);
+                return command;
         }
     }
     return NULL;
@@ -70,7 +84,8 @@ const kg_app_command *kg_command_of_key(const kg_event *event, kg_navigation nav
 /* ---- running ---------------------------------------------------------------------------- */
 
 bool kg_command_is_enabled(const kg_app_command *command, const kg_editor *e) {
-    return !command->enabled || command->enabled(e);
+    return kg_command_is_for(command, kg_document_get_kind(e->document)) &&
+           (!command->enabled || command->enabled(e));
 }
 
 kg_status kg_command_run(const kg_app_command *command, kg_editor *e, const json_t *arguments,
@@ -79,7 +94,10 @@ kg_status kg_command_run(const kg_app_command *command, kg_editor *e, const json
     if (e->before && strncmp(command->id, "view.", 5) != 0)
         kg_editor_use_default(e);
     kg_editor_update(e);
-    kg_status status = command->run(e, arguments, error);
+    kg_status status = kg_command_is_for(command, kg_document_get_kind(e->document))
+                           ? command->run(e, arguments, error)
+                           : kg_fail(error, KG_ERR_INPUT, _("%s does nothing with a %s"),
+                                     command->id, _(e->mode->title));
     if (status)
         kg_editor_say(e, KG_FAULT, "%s", error->message);
     if (status && status != KG_ERR_INPUT) /* a file, or the machine: not seen in the model */

@@ -32,8 +32,10 @@ typedef struct kg_app_command {
 size_t kg_command_count(void);
 const kg_app_command *kg_command_at(size_t index);
 const kg_app_command *kg_command_find(const char *id); /* NULL: none */
-/* The command of a key. */
-const kg_app_command *kg_command_of_key(const kg_event *event, kg_navigation navigation);
+/* Whether it can do something with such documents. */
+bool kg_command_is_for(const kg_app_command *command, kg_document_kind kind);
+/* The command of a key; NULL: none that is for the document. */
+const kg_app_command *kg_command_of_key(const kg_editor *editor, const kg_event *event);
 const char *kg_command_keys(const kg_app_command *command, kg_navigation navigation);
 /* Its first chord, as menus show it; "" for none. */
 void kg_command_shortcut(const kg_app_command *command, kg_navigation navigation, char out[32]);
@@ -49,9 +51,12 @@ void kg_command_do(kg_editor *editor, const char *id);
 typedef struct kg_command_table {
     const kg_app_command *items;
     size_t count;
+    unsigned kinds; /* of documents they are for, KG_FOR_KIND of each; 0: all */
 } kg_command_table;
-extern const kg_command_table kg_file_commands, kg_edit_commands, kg_patch_commands,
-    kg_move_commands, kg_net_commands, kg_trim_commands, kg_mend_commands, kg_view_commands;
+#define KG_FOR_KIND(kind) (1u << (kind))
+extern const kg_command_table kg_file_commands, kg_edit_commands, kg_select_commands,
+    kg_reference_commands, kg_patch_commands, kg_move_commands, kg_net_commands, kg_part_commands,
+    kg_trim_commands, kg_mend_commands, kg_view_commands;
 
 /* What several tables ask for as `enabled`. */
 bool kg_has_selection(const kg_editor *editor);

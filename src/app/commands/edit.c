@@ -1,9 +1,6 @@
-/* Commands: history, selection, and the windows that help. */
-#include "app/commands/arguments.h"
+/* Commands: history, and the windows that help. */
 #include "app/commands/commands.h"
 #include "app/text.h"
-
-#include <stdlib.h>
 
 static kg_status undo(kg_editor *e, const json_t *a, kg_error *error) {
     (void)a, (void)error;
@@ -22,61 +19,6 @@ static bool can_undo(const kg_editor *e) {
 }
 static bool can_redo(const kg_editor *e) {
     return !e->before && e->history.redo.count > 0;
-}
-
-static kg_status select_all(kg_editor *e, const json_t *a, kg_error *error) {
-    (void)a, (void)error;
-    kg_editor_select_none(e);
-    const kg_model *m = kg_editor_model(e);
-    for (size_t i = 0; i < m->patch_count; i++)
-        if (!m->patches[i].hidden)
-            kg_editor_select(e, m->patches[i].id, true);
-    return KG_OK;
-}
-
-static kg_status select_none(kg_editor *e, const json_t *a, kg_error *error) {
-    (void)a, (void)error;
-    kg_editor_select_none(e);
-    return KG_OK;
-}
-
-static kg_status select_patches(kg_editor *e, const json_t *a, kg_error *error) {
-    int64_t *ids;
-    size_t count;
-    kg_status status = kg_argument_patches(e, a, &ids, &count, error);
-    if (status)
-        return status;
-    kg_editor_select_none(e);
-    for (size_t i = 0; i < count; i++)
-        if (!kg_editor_is_selected(e, ids[i]))
-            kg_editor_select(e, ids[i], true);
-    free(ids);
-    return KG_OK;
-}
-
-static kg_status select_point(kg_editor *e, const json_t *a, kg_error *error) {
-    kg_model_patch *p;
-    size_t index = 0;
-    kg_status status = kg_argument_patch(e, a, &p, error);
-    if (!status)
-        status = kg_argument_index(a, "point", &index, error);
-    if (!status && index >= p->input.point_count)
-        status =
-            kg_fail(error, KG_ERR_INPUT, "patch %lld has no point %zu", (long long)p->id, index);
-    if (status)
-        return status;
-    e->level = KG_LEVEL_POINTS;
-    if (!kg_editor_is_selected(e, p->id))
-        kg_editor_select(e, p->id, false);
-    kg_editor_select_point(e, (kg_point_ref){p->id, index}, false);
-    return KG_OK;
-}
-
-static kg_status toggle_level(kg_editor *e, const json_t *a, kg_error *error) {
-    (void)a, (void)error;
-    e->level = e->level == KG_LEVEL_POINTS ? KG_LEVEL_PATCHES : KG_LEVEL_POINTS;
-    e->selection.points.count = 0;
-    return KG_OK;
 }
 
 static kg_status cancel(kg_editor *e, const json_t *a, kg_error *error) {
@@ -107,17 +49,6 @@ static const kg_app_command items[] = {
     {"edit.undo", N_("Undo"), N_("Takes back the last step."), "Ctrl+Z", NULL, undo, can_undo, 0},
     {"edit.redo", N_("Redo"), N_("Does again what was taken back."), "Ctrl+Y|Ctrl+Shift+Z", NULL,
      redo, can_redo, 0},
-    {"select.all", N_("Select all"), N_("Selects all patches that are shown."), "Ctrl+A", NULL,
-     select_all, NULL, 0},
-    {"select.none", N_("Select none"), N_("Selects nothing."), "Ctrl+Shift+A", "Alt+A", select_none,
-     kg_has_selection, 0},
-    {"select.patches", N_("Select patches"), N_("Selects the patches named."), NULL, NULL,
-     select_patches, NULL, KG_COMMAND_ARGUMENTS},
-    {"select.point", N_("Select point"), N_("Selects one control point."), NULL, NULL, select_point,
-     NULL, KG_COMMAND_ARGUMENTS},
-    {"select.level", N_("Points or patches"),
-     N_("Changes between moving control points and moving whole patches."), "Tab", NULL,
-     toggle_level, NULL, 0},
     {"edit.cancel", N_("Cancel"), N_("Ends what the tool is doing."), "Esc", NULL, cancel, NULL, 0},
     {"edit.palette", N_("Commands…"), N_("Finds a command by its name."), "Ctrl+P", "Ctrl+P|F3",
      palette, NULL, 0},
@@ -126,4 +57,4 @@ static const kg_app_command items[] = {
     {"edit.help", N_("Keys and mouse…"), N_("Shows what keys and mouse do."), "F1", NULL, help,
      NULL, 0},
 };
-const kg_command_table kg_edit_commands = {items, sizeof items / sizeof *items};
+const kg_command_table kg_edit_commands = {items, sizeof items / sizeof *items, 0};

@@ -88,4 +88,5 @@ static const kg_app_command items[] = {
      N_("Sets the extent to what the edge of regression allows."), NULL, NULL, narrow,
      kg_has_selection, KG_COMMAND_EDIT},
 };
-const kg_command_table kg_mend_commands = {items, sizeof items / sizeof *items};
+const kg_command_table kg_mend_commands = {items, sizeof items / sizeof *items,
+                                           KG_FOR_KIND(KG_DOCUMENT_PATCHES)};

@@ -99,4 +99,5 @@ static const kg_app_command items[] = {
     {"point.move", N_("Move point"), N_("Moves one control point."), NULL, NULL, move_point, NULL,
      KG_COMMAND_ARGUMENTS},
 };
-const kg_command_table kg_move_commands = {items, sizeof items / sizeof *items};
+const kg_command_table kg_move_commands = {items, sizeof items / sizeof *items,
+                                           KG_FOR_KIND(KG_DOCUMENT_PATCHES)};

@@ -212,6 +212,10 @@ static kg_status toggle_view(kg_editor *e, const json_t *a, kg_error *error) {
 static const kg_app_command items[] = {
     {"view.net", N_("Net view"), N_("Shows or hides the pages of the net beside the model."), "F4",
      NULL, toggle_view, NULL, 0},
+};
+const kg_command_table kg_net_commands = {items, sizeof items / sizeof *items, 0};
+
+static const kg_app_command part_items[] = {
     {"net.pin", N_("Pin part"), N_("Puts a part of the net somewhere on a page."), NULL, NULL, pin,
      NULL, KG_COMMAND_ARGUMENTS},
     {"net.unpin", N_("Unpin all parts"), N_("Lets katagami place the parts of the net."), NULL,
@@ -221,4 +225,5 @@ static const kg_app_command items[] = {
     {"net.join", N_("Change join"), N_("Says what tabs the joins between two patches get."), NULL,
      NULL, set_join, NULL, KG_COMMAND_ARGUMENTS},
 };
-const kg_command_table kg_net_commands = {items, sizeof items / sizeof *items};
+const kg_command_table kg_part_commands = {part_items, sizeof part_items / sizeof *part_items,
+                                           KG_FOR_KIND(KG_DOCUMENT_PATCHES)};

@@ -280,4 +280,5 @@ static const kg_app_command items[] = {
     {"patch.set", N_("Change patch"), N_("Sets points, extent, ruling or flip."), NULL, NULL,
      set_patch, NULL, KG_COMMAND_ARGUMENTS},
 };
-const kg_command_table kg_patch_commands = {items, sizeof items / sizeof *items};
+const kg_command_table kg_patch_commands = {items, sizeof items / sizeof *items,
+                                            KG_FOR_KIND(KG_DOCUMENT_PATCHES)};

@@ -241,4 +241,5 @@ static const kg_app_command items[] = {
     {"trim.set", N_("Change trim"), N_("Switches a trim, or what it keeps."), NULL, NULL, set_trim,
      NULL, KG_COMMAND_ARGUMENTS},
 };
-const kg_command_table kg_trim_commands = {items, sizeof items / sizeof *items};
+const kg_command_table kg_trim_commands = {items, sizeof items / sizeof *items,
+                                           KG_FOR_KIND(KG_DOCUMENT_PATCHES)};

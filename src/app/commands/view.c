@@ -67,4 +67,4 @@ static const kg_app_command items[] = {
     {"view.frame_all", N_("Frame all"), N_("Fills the view with everything."), "Home", NULL,
      frame_all, NULL, 0},
 };
-const kg_command_table kg_view_commands = {items, sizeof items / sizeof *items};
+const kg_command_table kg_view_commands = {items, sizeof items / sizeof *items, 0};

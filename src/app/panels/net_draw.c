@@ -175,10 +175,10 @@ static size_t patch_index(const kg_model *m, int64_t id) {
 static void fill_part(const kg_net_view *v, const kg_editor *e, size_t index, kg_polyline *line) {
     const kg_net_part *part = &kg_net_state_picture(v->state)->net.net->parts[index];
     const kg_model *m = kg_editor_model(e);
-    size_t patch = patch_index(m, part->source);
+    size_t patch = m ? patch_index(m, part->source) : 0;
     int rank = kg_editor_selection_rank(e, part->source);
     bool hovered = e->hover_patch == part->source;
-    kg_color color = patch < m->patch_count ? kg_patch_color(&m->patches[patch], patch) : lit;
+    kg_color color = m && patch < m->patch_count ? kg_patch_color(&m->patches[patch], patch) : lit;
     if (rank >= 0)
         color = kg_rank_color(rank);
     color.a = hovered ? 0.5F : rank >= 0 ? 0.34F : 0.16F;

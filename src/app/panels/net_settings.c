@@ -62,7 +62,7 @@ static void number(kg_editor *e, const char *label, double *value, double speed,
 void kg_panel_net_settings(kg_app *app) {
     kg_editor *e = &app->editor;
     kg_net_options o = kg_net_options_default();
-    if (!kg_ui_popup_begin("net settings"))
+    if (!kg_editor_model(e) || !kg_ui_popup_begin("net settings"))
         return;
     kg_model_net *net = &kg_editor_model(e)->net;
     kg_error error;

@@ -28,8 +28,9 @@ static bool matches(const char *text, const char *search) {
     return true;
 }
 
-static bool is_listed(const kg_app_command *c, const char *search) {
-    return !(c->flags & KG_COMMAND_HIDDEN) && strcmp(c->id, "edit.palette") != 0 &&
+static bool is_listed(const kg_editor *e, const kg_app_command *c, const char *search) {
+    return kg_command_is_for(c, kg_document_get_kind(e->document)) &&
+           !(c->flags & KG_COMMAND_HIDDEN) && strcmp(c->id, "edit.palette") != 0 &&
            (matches(_(c->title), search) || matches(c->id, search));
 }
 
@@ -64,7 +65,7 @@ void kg_panel_palette(kg_app *app) {
     bool entered = kg_ui_field_entered();
     d->focus = false;
     for (size_t i = 0; i < kg_command_count() && count < MOST_SHOWN; i++)
-        if (is_listed(kg_command_at(i), d->search))
+        if (is_listed(e, kg_command_at(i), d->search))
             shown[count++] = kg_command_at(i);
     move_choice(d, count);
     if (kg_ui_table_begin("found", 2, widths)) {
@@ -132,7 +133,7 @@ void kg_panel_help(kg_app *app) {
             const kg_app_command *c = kg_command_at(i);
             const char *keys = kg_command_keys(c, navigation);
             char shown[64];
-            if (!keys)
+            if (!keys || !kg_command_is_for(c, kg_document_get_kind(app->editor.document)))
                 continue;
             size_t n = 0; /* "A|B" as "A, B" */
             for (const char *k = keys; *k && n + 3 < sizeof shown; k++) {

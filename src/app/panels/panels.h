@@ -9,6 +9,8 @@ void kg_panels_show(kg_app *app);
 
 double kg_panel_menu(kg_app *app); /* height in pixels */
 void kg_panel_toolbar(kg_app *app, kg_area area);
+/* A command as a button of the tool bar. */
+void kg_panel_tool_button(kg_editor *editor, const char *id, kg_icon icon, bool on);
 void kg_panel_outliner(kg_app *app, kg_area area);
 void kg_panel_properties(kg_app *app, kg_area area);
 void kg_panel_status(kg_app *app, kg_area area);
@@ -17,7 +19,7 @@ void kg_panel_net_settings(kg_app *app);                /* a popup of the net vi
 void kg_panel_axes(kg_app *app);                        /* the ball that turns the view */
 bool kg_axes_event(kg_app *app, const kg_event *event); /* true: it was for the ball */
 
-void kg_panel_handles(kg_app *app); /* gizmo and selection box, over the 3D view */
+void kg_panel_handles(kg_app *app); /* what the mode draws over the 3D view */
 void kg_panel_context_menu(kg_app *app);
 
 /* Dialogs: opened by flags of app->dialogs. */

@@ -75,7 +75,8 @@ void kg_dialogs_go_on(kg_app *app, kg_purpose purpose) {
 static void set_reference(kg_app *app, const char *path) {
     kg_error error;
     json_t *arguments = json_pack("{s:s}", "file", path);
-    bool had = kg_editor_model(&app->editor)->reference.file != NULL;
+    const kg_model *m = kg_editor_model(&app->editor);
+    bool had = m && m->reference.file;
     if (!arguments)
         return;
     if (kg_command_run(kg_command_find("reference.set"), &app->editor, arguments, &error))
@@ -188,7 +189,7 @@ static void show_rename(kg_app *app) {
     kg_dialogs *d = &app->dialogs;
     kg_editor *e = &app->editor;
     int64_t id = kg_editor_first_selected(e);
-    const kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
+    const kg_model_patch *p = id ? kg_model_find(kg_editor_model(e), id) : NULL;
     if (d->open_rename && p) {
         snprintf(d->name, sizeof d->name, "%s", p->name);
         d->focus = true;

@@ -7,10 +7,10 @@
 
 void kg_panel_status(kg_app *app, kg_area area) {
     const kg_editor *e = &app->editor;
-    const kg_solution *s = kg_editor_solution(e);
-    size_t faults = 0, count = kg_solution_issue_count(s);
+    const kg_document *d = e->document;
+    size_t faults = 0, count = kg_document_issue_count(d);
     for (size_t i = 0; i < count; i++)
-        faults += kg_solution_issue(s, i)->severity == KG_FAULT;
+        faults += kg_document_issue(d, i)->severity == KG_FAULT;
     kg_ui_panel_begin("status", NULL, area, KG_PANEL_PLAIN | KG_PANEL_NO_SCROLL);
     const char *now = e->tool->hint_now ? e->tool->hint_now(e) : NULL;
     if (e->message[0])
@@ -34,6 +34,6 @@ void kg_panel_status(kg_app *app, kg_area area) {
     else
         kg_ui_text_dim(text);
     if (count > 0)
-        kg_ui_tooltip(kg_solution_issue(s, 0)->message);
+        kg_ui_tooltip(kg_document_issue(d, 0)->message);
     kg_ui_panel_end();
 }

@@ -81,7 +81,7 @@ void kg_point_drag_move(kg_point_drag *d, kg_editor *e, kg_vec2 px, unsigned mod
     for (size_t i = 0; i < e->selection.points.count; i++) {
         kg_point_ref r = e->selection.points.items[i];
         kg_model_patch *p = kg_model_find(m, r.patch);
-        const kg_model_patch *before = kg_model_find(e->before, r.patch);
+        const kg_model_patch *before = kg_model_find(kg_document_model(e->before), r.patch);
         if (!p || !before)
             continue;
         kg_vec3 moved = kg_add(before->input.points[r.index], by);

@@ -152,7 +152,7 @@ static kg_status start(kg_editor *e, int64_t patch, bool face, kg_error *error) 
     s->patch = patch;
     s->face = face;
     /* the tool before ends without taking back the step that is open for this one */
-    kg_model *before = e->before;
+    kg_document *before = e->before;
     e->before = NULL;
     kg_editor_use(e, &kg_tool_pieces, s);
     e->before = before;

@@ -172,7 +172,7 @@ static void update(kg_editor *e) {
     if (!e->before) /* something else ended the step */
         return;
     kg_similarity map = map_of(e, s);
-    kg_model *fresh = kg_model_copy(e->before);
+    kg_model *fresh = kg_model_copy(kg_document_model(e->before));
     kg_error error;
     if (!fresh)
         return;

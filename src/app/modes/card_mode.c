@@ -1,0 +1,43 @@
+/* Pop-up cards. */
+#include "app/expect.h"
+#include "app/modes/mesh_scene.h"
+#include "app/modes/modes.h"
+#include "app/panels/panels.h"
+#include "app/text.h"
+#include "app/tools/tool.h"
+
+static const char *context_menu(const kg_editor *e) {
+    (void)e;
+    return "view.frame_all";
+}
+
+static void toolbar(kg_app *app) {
+    (void)app;
+}
+
+static void side(kg_app *app, kg_area area) {
+    kg_ui_panel_begin("card", _("Card"), area, 0);
+    kg_ui_text(kg_document_title(app->editor.document));
+    for (size_t i = 0; i < kg_document_issue_count(app->editor.document); i++)
+        kg_ui_text_wrapped(kg_document_issue(app->editor.document, i)->message);
+    kg_ui_panel_end();
+}
+
+static kg_status expect(const kg_editor *e, const char *words, kg_error *error) {
+    (void)e;
+    return kg_expect_unknown(words, error);
+}
+
+const kg_mode kg_card_mode = {
+    .kind = KG_DOCUMENT_OA,
+    .title = N_("pop-up card"),
+    .tool = &kg_tool_look,
+    .box = kg_mesh_scene_box,
+    .compose = kg_mesh_scene_compose,
+    .drop = kg_mesh_scene_drop,
+    .menu = {N_("Card"), "view.frame_all"},
+    .context = context_menu,
+    .toolbar = toolbar,
+    .side = side,
+    .expect = expect,
+};
