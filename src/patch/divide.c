@@ -57,12 +57,17 @@ static double end_slant(const kg_vec3 p[4], int end) {
     return 0.5 * kg_dot(kg_cross(e1, e2), e3) * q * q * q;
 }
 
+/* The same cubic, `by` mm farther at an end: de Casteljau beyond it. */
 static void lengthen(const kg_vec3 p[4], int end, double by, kg_vec3 out[4]) {
-    kg_curve c = {.degree = 3};
-    memcpy(c.points, p, 4 * sizeof *p);
     double v = fmin(by / (3 * kg_dist(p[2 * end], p[2 * end + 1])), 0.25);
-    c = end ? kg_curve_segment(&c, 0, 1 + v) : kg_curve_segment(&c, -v, 1);
-    memcpy(out, c.points, 4 * sizeof *out);
+    kg_vec3 from[4];
+    for (int i = 0; i < 4; i++)
+        from[i] = p[end ? i : 3 - i];
+    for (int i = 0; i < 4; i++) {
+        out[end ? i : 3 - i] = from[0];
+        for (int k = 0; k < 3 - i; k++)
+            from[k] = kg_lerp(from[k], from[k + 1], 1 + v);
+    }
 }
 
 /* ---- a chain for some values of the variables --------------------------------------------- */
@@ -98,6 +103,12 @@ static void orient(const task *t, chain *c) {
     }
     if (c->turned[0] != c->turned[1])
         c->slant[1] = -c->slant[1];
+}
+
+/* The unit ruling of a half at the plane. */
+static kg_vec3 end_ruling(const chain *c, int half) {
+    kg_vec3 binormal = end_binormal(c->halves[half], 1 - half);
+    return kg_unit(kg_madd(binormal, end_slant(c->halves[half], 1 - half), c->tangent));
 }
 
 /* How long the plane has to be for its rulings not to cross. */
@@ -160,8 +171,12 @@ static bool build(const task *t, const double *z, chain *c) {
         kg_strain s = kg_cubic_strain(c->longer[i], c->extents[i]);
         if (!isfinite(s.reach) || !isfinite(needed))
             return false;
-        c->fault +=
-            fmin(fmax(log(s.reach / KG_EASY_STRAIN), 0), 5) + 5 * fmax(KG_EASY_THETA - s.theta, 0);
+        kg_vec3 at = c->halves[i][3 * (1 - i)], ruling = end_ruling(c, i);
+        double back = kg_cubic_reach_back(c->longer[i], c->extents[i], at, ruling,
+                                          kg_unit(kg_cross(ruling, c->normal)), 2 * BEYOND * size);
+        c->fault += fmin(fmax(log(s.reach / KG_EASY_STRAIN), 0), 5) +
+                    fmin(fmax(log(back / KG_EASY_STRAIN), 0), 5) +
+                    5 * fmax(KG_EASY_THETA - s.theta, 0);
         for (int k = 0; k < 4; k++)
             c->movement = fmax(c->movement, kg_dist(c->halves[i][k], start[i][k]) / size);
     }
@@ -222,12 +237,11 @@ static void make_parts(const task *t, const chain *c, kg_patch_parts *out) {
         *half = (kg_patch_input){.point_count = 4, .flip = t->input->flip != c->turned[i]};
         memcpy(half->points, c->longer[i], 4 * sizeof half->points[0]);
         memcpy(half->extent, c->extents[i], sizeof half->extent);
-        kg_vec3 at = c->halves[i][3 * (1 - i)], b = end_binormal(c->halves[i], 1 - i);
-        kg_vec3 d = kg_unit(kg_madd(b, end_slant(c->halves[i], 1 - i), c->tangent));
+        kg_vec3 at = c->halves[i][3 * (1 - i)], d = end_ruling(c, i);
         straight(&out->cutters[i], kg_madd(at, half->extent[0] - pad, d),
                  kg_madd(at, half->extent[1] + pad, d), c->normal);
-        out->cutters[i].extent[0] = -2 * pad;
-        out->cutters[i].extent[1] = 2 * pad;
+        out->cutters[i].extent[0] = -BEYOND * t->size;
+        out->cutters[i].extent[1] = BEYOND * t->size;
         double u = fmin(fmax(0, half->extent[0]), half->extent[1]);
         kg_patch patch;
         if (!kg_patch_init(half, &patch, NULL))

@@ -114,6 +114,7 @@ static void assert_parts(const kg_patch_input *in, const kg_patch_parts *parts) 
             assert_near(kg_patch_closest(&cutter, x, &u, &s), 0, 1e-6);
         }
         assert_true(kg_patch_closest(&half, parts->keep[i], &u, &s) < 1e-6);
+        assert_true(i ? v > 1e-3 && v < 0.3 : v > 0.7 && v < 0.999); /* both reach beyond it */
         size_t end = i ? 3 : 0, last = i ? in->point_count - 1 : 0, next = i ? last - 1 : 1;
         assert_near3(parts->halves[i].points[end], in->points[last], 1e-9);
         assert_near(
