@@ -12,12 +12,13 @@
 void kg_recovery_tick(kg_app *app);
 /* Seconds until then; negative: nothing to save. */
 double kg_recovery_due(const kg_app *app);
-/* Looks for a file left behind and offers it in a dialog. */
+/* Offers the newest file left behind in a dialog; removes those that were never written to their
+ * end. */
 void kg_recovery_offer(kg_app *app);
 /* Opens the file offered as unsaved work of the file it came from; it becomes this process's own
  * autosave. */
 void kg_recovery_take(kg_app *app);
-/* Removes the file offered. */
+/* Removes the file offered and offers the next. */
 void kg_recovery_drop(kg_app *app);
 /* Removes this process's autosave: the work is saved, or given up. */
 void kg_recovery_forget(kg_app *app);

@@ -15,6 +15,8 @@ import script  # noqa: E402
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 ADD = ('command patch.add {"points": [[0,-40,0],[0,-20,30],[0,20,30],[0,40,0]], '
        '"extent": [-60,60]}')
+GESTURE = ['command select.patches {"patches": [1]}', "command view.front", "key G", "key X",
+           "key 7"]
 
 
 def start(folder, lines):
@@ -67,6 +69,56 @@ def test_saved_work_is_not_offered():
         run(folder, "autosave 2", ADD, "save one.katagami", ADD, "wait 121", "key Ctrl+S",
             "expect unmodified")
         assert not left_behind(folder)
+
+
+def points(path):
+    return json.loads(pathlib.Path(path).read_text(encoding="utf-8"))["patches"][0]["points"]
+
+
+def test_a_gesture_that_goes_on_for_minutes_is_autosaved_too():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, ADD, "save one.katagami", "autosave 2", "command patch.flip {\"patch\": 1}",
+            *GESTURE, "wait 121")
+        assert points(left_behind(folder)[0])[0] == [7, -40, 0]
+        run(folder, "recover", 'click "Recover"', "expect point 1 0 7 -40 0", "expect modified",
+            "key Ctrl+Z", "expect point 1 0 0 -40 0", "expect patch 1 flipped", "key Ctrl+Z",
+            "expect patch 1 not flipped", "key Ctrl+Z", "expect patches 0", "key Ctrl+Y",
+            "key Ctrl+Y", "key Ctrl+Y", "expect point 1 0 7 -40 0")
+
+
+def test_a_gesture_given_up_after_its_autosave_is_not_what_is_recovered():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, ADD, "save one.katagami", "autosave 2", "command patch.flip {\"patch\": 1}",
+            *GESTURE, "wait 121", "key Esc", "expect tool select", "wait 121")
+        assert points(left_behind(folder)[0])[0] == [0, -40, 0]
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, ADD, "save one.katagami", "autosave 2", *GESTURE, "wait 121", "key Esc",
+            "expect unmodified")
+        assert not left_behind(folder)
+
+
+def test_an_autosave_in_a_gesture_leaves_the_history_right():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, ADD, "autosave 2", "command patch.rename {\"patch\": 1, \"name\": \"a\"}",
+            *GESTURE, "wait 121", "key Enter", "save one.katagami", "open one.katagami",
+            "expect point 1 0 7 -40 0", "key Ctrl+Z", "expect point 1 0 0 -40 0", "expect name 1 a",
+            "key Ctrl+Z", "expect name 1 ", "key Ctrl+Z", "expect patches 0")
+
+
+def test_of_several_crashes_the_last_is_offered_first():
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ["first", "second", "third"]:
+            run(folder, ADD, f'command patch.rename {{"patch": 1, "name": "{name}"}}', "autosave 2",
+                "wait 121")
+        state = pathlib.Path(folder, "state", "katagami")
+        half = state / "autosave-999999.katagami.a1B2c3"
+        half.write_text("{")
+        newest = max(left_behind(folder), key=lambda path: path.stat().st_mtime)
+        newest.rename(state / "autosave-1.katagami")  # the number is another program's by now
+        run(folder, "recover", 'click "Discard"', "expect shown Recover", 'click "Recover"',
+            "expect name 1 second", "save two.katagami", "recover", 'click "Recover"',
+            "expect name 1 first")
+        assert not half.exists()
 
 
 def test_killed_while_saving_the_file_is_the_old_or_the_new_one():

@@ -184,6 +184,8 @@ def test_an_idle_window_costs_nothing():
             time.sleep(1.5)
             assert app.cpu() - spent < 0.05, app.cpu() - spent
             app.end()
+            settings = model_at(app.state / "settings.json")
+            assert settings["autosave_minutes"] == 2, "work of two minutes is lost at most"
 
 
 def test_a_point_is_dragged_by_the_mouse():
