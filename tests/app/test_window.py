@@ -167,6 +167,10 @@ def model_at(path):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def first_point(model):
+    return model["patches"][0]["points"][0]
+
+
 def test_a_window_opens_within_a_second():
     opened = []
     with screen() as environment, tempfile.TemporaryDirectory() as folder:
@@ -245,10 +249,12 @@ def test_killed_the_work_is_offered_at_the_next_start():
         with running(environment, folder, path, autosave_minutes=0.01) as app:
             app.click(350, 480)
             app.drag(381, 624, -40, 30)
-            kept = model_at(wait_for(app.autosaves, "an autosave")[0])
+            wait_for(lambda: any(first_point(model_at(path)) != first_point(before)
+                                 for path in app.autosaves()), "an autosave")
             app.kill()
+            kept = model_at(app.autosaves()[0])
         assert model_at(path) == before
-        assert kept["patches"][0]["points"][0] != before["patches"][0]["points"][0]
+        assert first_point(kept) != first_point(before)
         with running(environment, folder) as app:
             app.key("Return")  # Recover
             wait_for(lambda: app.title() == "● two.katagami — katagami", "the work recovered")
