@@ -262,8 +262,9 @@ KG_API kg_status kg_oa_stability_create(const kg_oa_sheet *sheet, kg_oa_stabilit
                                         kg_error *error) KG_CHECKED;
 KG_API void kg_oa_stability_destroy(kg_oa_stability *stability);
 
-/* Hinges up to which degrees of freedom are counted: the time grows with their cube. */
-enum { KG_OA_MOBILITY_HINGES = 400 };
+/* Hinges up to which degrees of freedom are counted: the time grows with their cube, to about a
+ * tenth of a second (300 hinges take some 3 ms). */
+enum { KG_OA_MOBILITY_HINGES = 1000 };
 
 /* Degrees of freedom of the open card, exact: hinges less the rank of the loop equations (for
  * every closed chain of patches, the turns about its hinges add up to no motion); 1 is the opening

@@ -158,13 +158,21 @@ static kg_status read_depth(reader *r, const json_t *card) {
 static kg_status read_face(reader *r, const json_t *v, bool top) {
     kg_oa *oa = r->oa;
     int x = 0, z = 0;
+    const int highest[2] = {oa->width - 1, oa->height - (top ? 0 : 1)};
     if (!json_is_array(v) || json_array_size(v) != 2)
         return fail_at(r, "%s is [x, z]", top ? "an omitted top" : "a window");
-    kg_status status = read_whole(r, json_array_get(v, 0), 0, oa->width - 1, &x);
-    if (!status)
-        status = read_whole(r, json_array_get(v, 1), 0, oa->height - (top ? 0 : 1), &z);
-    if (status)
-        return status;
+    for (size_t i = 0; i < 2; i++) {
+        double at = json_number_value(json_array_get(v, i));
+        if (!json_is_number(json_array_get(v, i)) || at != floor(at) || at < 0 || at > highest[i])
+            return fail_at(r, "%s [%g, %g]: its %s is a whole number from 0 to %d",
+                           top ? "omitted top" : "window", json_number_value(json_array_get(v, 0)),
+                           json_number_value(json_array_get(v, 1)),
+                           i == 0 ? "column"
+                           : top  ? "height"
+                                  : "level",
+                           highest[i]);
+        *(i == 0 ? &x : &z) = (int)at;
+    }
     if (top ? kg_oa_top(oa, x, z) == 0 : kg_oa_depth(oa, x, z) == 0)
         return fail_at(r, "column %d has no %s %d for %s", x,
                        top ? "top at height" : "front at level", z,

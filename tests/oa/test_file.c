@@ -64,7 +64,7 @@ static void broken_cards_are_refused_with_the_place(void **state) {
     refused(CARD("\"size\": [3, 4, 2], \"cell_mm\": 0, " DEPTH), ":2|cell_mm");
     refused(CARD("\"size\": [3, 4, 2], \"cell_mm\": 1e9, " DEPTH), ":2|cell_mm");
     refused(CARD("\"size\": [3, 4, 2], " DEPTH), "cell_mm");
-    refused(CARD(SIZE DEPTH ",\n\"windows\": [[1, 0],\n[1, 2]]"), ":7|0 and 1");
+    refused(CARD(SIZE DEPTH ",\n\"windows\": [[1, 0],\n[1, 2]]"), ":7|0 to 1");
     refused(CARD(SIZE DEPTH ",\n\"windows\": [[3, 0]]"), ":6|0 and 2");
     refused(CARD(SIZE DEPTH ",\n\"windows\": [[0, 0]]"), ":6|column 0|level 0");
     refused(CARD(SIZE DEPTH ",\n\"windows\": [1]"), ":6|[x, z]");
@@ -73,6 +73,8 @@ static void broken_cards_are_refused_with_the_place(void **state) {
     refused(CARD(SIZE DEPTH ",\n\"margin_cells\": 1.5"), ":6|whole");
     refused(CARD(SIZE DEPTH ",\n\"margin_cells\": 1e6"), ":6|margin_cells");
     refused(CARD(SIZE DEPTH ",\n\"diagonals\": 1"), ":6|diagonals");
+    refused(CARD(SIZE DEPTH ",\n\"tiny_mm\": -1"), ":6|tiny_mm");
+    refused(CARD(SIZE DEPTH ",\n\"tiny_mm\": \"2\""), ":6|tiny_mm");
     refused("{\"katagami\": 2,\n\"kind\": \"oa\"}", "newer");
     refused("{\"katagami\": 1,\n\"kind\": \"oa\"}", "oa");
     refused("[1]", "katagami");
@@ -119,12 +121,14 @@ static void written_cards_read_back_the_same(void **state) {
         oa->margin_cells = i % 3;
         oa->diagonals = i % 2;
         oa->cell_mm = 0.1 * (i + 1);
+        oa->tiny_mm = 0.5 * (i % 7);
         assert_int_equal(kg_oa_write_memory(oa, &text, &size, NULL), KG_OK);
         assert_int_equal(read_text(text, &again, NULL), KG_OK);
         assert_memory_equal(oa->depth, again->depth, cells * sizeof *oa->depth);
         assert_memory_equal(oa->window, again->window, cells);
         assert_memory_equal(oa->omitted, again->omitted, cells + (size_t)oa->width);
-        assert_true(oa->cell_mm == again->cell_mm);
+        assert_true(oa->cell_mm == again->cell_mm && oa->tiny_mm == again->tiny_mm);
+        assert_int_equal(!strstr(text, "tiny_mm"), oa->tiny_mm == KG_OA_TINY);
         assert_int_equal(kg_oa_write_memory(again, &text2, &size, NULL), KG_OK);
         assert_string_equal(text, text2);
         free(text);
