@@ -10,6 +10,7 @@
 #define KG_APP_EDITOR_H
 
 #include "app/history.h"
+#include "app/mending.h"
 #include "app/pane.h"
 #include "app/settings.h"
 #include "app/surfaces.h"
@@ -91,6 +92,7 @@ typedef struct kg_editor {
     double patch_opacity;
     kg_vec3 mirror_normal; /* of the mirror's plane through the origin */
     bool trim_cutters;     /* trim inside also trims the cutters */
+    kg_mends mends;        /* what would mend the patch shown */
 
     const kg_tool *tool;
     void *tool_state; /* the tool's own, freed when it ends */

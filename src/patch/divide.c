@@ -21,8 +21,10 @@
 enum { PLACE, TURN_X, TURN_Y, NORMAL, ARM_0, ARM_1, ASIDE_X, ASIDE_Y, VARIABLES };
 enum { NORMALS = 6, ROUNDS = 250, ROUNDS_AGAIN = 400 };
 
-/* Against movement, which is a share of the size. */
+/* Against movement, which is a share of the size; of cot² θ at the plane, where slanting rulings
+ * make the strip narrow. */
 #define FAULT_WEIGHT 100.0
+#define SLANT_WEIGHT 0.02
 
 typedef struct chain {
     kg_vec3 halves[2][4]; /* as far as their cutters */
@@ -183,11 +185,15 @@ static bool build(const task *t, const double *z, chain *c) {
     return true;
 }
 
+static double worth(const chain *c) {
+    return c->movement + SLANT_WEIGHT * (c->slant[0] * c->slant[0] + c->slant[1] * c->slant[1]);
+}
+
 static double cost(const double *z, const void *data) {
     chain c;
     if (!build(data, z, &c))
         return HUGE_VAL;
-    return FAULT_WEIGHT * c.fault + c.movement;
+    return FAULT_WEIGHT * c.fault + worth(&c);
 }
 
 /* ---- the parts of a chain ----------------------------------------------------------------- */
@@ -277,12 +283,12 @@ kg_status kg_patch_divide(const kg_patch_input *input, kg_patch_parts *out, kg_e
             continue;
         /* again from a fresh simplex: the first has shrunk beside the limits */
         kg_simplex_descend(cost, &t, VARIABLES, 0.05, ROUNDS_AGAIN, z);
-        if (!build(&t, z, &c) || c.fault > 0 || c.movement >= least)
+        if (!build(&t, z, &c) || c.fault > 0 || worth(&c) >= least)
             continue;
         make_parts(&t, &c, &parts);
         if (!are_sound(&parts))
             continue;
-        least = c.movement;
+        least = worth(&c);
         *out = parts;
     }
     return isfinite(least) ? KG_OK

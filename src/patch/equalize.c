@@ -7,7 +7,7 @@
 
 /* Places tried to both sides of the nearest on the line of equal angles; along it, as a share of
  * the chord; and steps towards the plane, of which the last would be the plane itself. */
-enum { PLACES = 30, TWISTS = 10, HALVINGS = 20 };
+enum { PLACES = 30, TWISTS = 10, WAYS = 32, HALVINGS = 20 };
 #define STEP 0.02
 
 bool kg_patch_is_sound(const kg_patch_input *input) {
@@ -77,7 +77,16 @@ kg_status kg_patch_equalize(const kg_patch_input *input, kg_patch_input *out, kg
         return kg_fail(error, KG_ERR_INPUT,
                        "has no sound shape with equal end angles: it bends both ways, or too "
                        "sharply for its extent; split it, flatten it or narrow the extent");
+    /* the first of some steps that is sound, and from there back to where it begins to be */
     double lo = 0, hi = 1;
+    for (int i = 1; i < WAYS && !sound; i++) {
+        kg_patch_input in = between(input, &even, (double)i / WAYS);
+        if (is_easy(&in)) {
+            hi = (double)i / WAYS;
+            lo = (i - 1.0) / WAYS;
+            break;
+        }
+    }
     for (int i = 0; i < HALVINGS && !sound; i++) {
         double middle = 0.5 * (lo + hi);
         kg_patch_input in = between(input, &even, middle);

@@ -1,8 +1,10 @@
 /* Commands: edits that mend what is wrong with a patch, or make it tidy. */
+#include "app/commands/mend.h"
 #include "app/commands/arguments.h"
 #include "app/commands/commands.h"
 #include "app/text.h"
 #include "model/refit.h"
+#include "patch/mend.h"
 
 #include <stdlib.h>
 
@@ -31,39 +33,36 @@ static kg_status refit(kg_editor *e, const json_t *a, kg_error *error) {
     return for_each(e, a, N_("Refit"), refit_one, error);
 }
 
-/*
- * The ends of the geodesic stay; the inner points are moved into the plane through the chord that
- * they are nearest to. With the parts a_i of them across the chord, in any two directions x, y
- * across it, its angle is that of the main axis of Σ a_i a_iᵀ: tan 2φ = 2 Σxy / (Σx² − Σy²).
- */
+/* Puts "patch N" before a message of the kernel. */
+static kg_status of_patch(int64_t id, kg_status status, const kg_error *from, kg_error *error) {
+    return status ? kg_fail(error, status, "patch %lld %s", (long long)id, from->message) : KG_OK;
+}
+
 static kg_status planarize_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
     (void)e;
-    kg_patch_input *in = &p->input;
-    kg_vec3 first = in->points[0], chord = kg_sub(in->points[in->point_count - 1], first);
-    if (!(kg_len(chord) > 0))
-        return kg_fail(error, KG_ERR_INPUT,
-                       "patch %lld ends where it begins: it has no chord to be flattened along",
-                       (long long)p->id);
-    chord = kg_unit(chord);
-    kg_vec3 aside = fabs(chord.x) < 0.6 ? kg_v3(1, 0, 0) : kg_v3(0, 1, 0);
-    kg_vec3 x = kg_unit(kg_cross(chord, aside)), y = kg_cross(chord, x);
-    double xx = 0, xy = 0, yy = 0;
-    for (size_t i = 1; i + 1 < in->point_count; i++) {
-        kg_vec3 a = kg_sub(in->points[i], first);
-        xx += kg_dot(a, x) * kg_dot(a, x);
-        xy += kg_dot(a, x) * kg_dot(a, y);
-        yy += kg_dot(a, y) * kg_dot(a, y);
-    }
-    double angle = 0.5 * atan2(2 * xy, xx - yy);
-    kg_vec3 normal = kg_add(kg_scale(x, -sin(angle)), kg_scale(y, cos(angle)));
-    for (size_t i = 1; i + 1 < in->point_count; i++) {
-        double off = kg_dot(kg_sub(in->points[i], first), normal);
-        in->points[i] = kg_madd(in->points[i], -off, normal);
-    }
-    return KG_OK;
+    kg_error why;
+    return of_patch(p->id, kg_patch_flatten(&p->input, &p->input, &why), &why, error);
 }
 static kg_status planarize(kg_editor *e, const json_t *a, kg_error *error) {
     return for_each(e, a, N_("Flatten geodesic"), planarize_one, error);
+}
+
+static kg_status equalize_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
+    (void)e;
+    kg_error why;
+    return of_patch(p->id, kg_patch_equalize(&p->input, &p->input, &why), &why, error);
+}
+static kg_status equalize(kg_editor *e, const json_t *a, kg_error *error) {
+    return for_each(e, a, N_("Equalise end angles"), equalize_one, error);
+}
+
+static kg_status split_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
+    kg_error why;
+    int64_t id = p->id;
+    return of_patch(id, kg_mend_split(e, id, &why), &why, error);
+}
+static kg_status split(kg_editor *e, const json_t *a, kg_error *error) {
+    return for_each(e, a, N_("Split with a plane"), split_one, error);
 }
 
 /* The extent in force becomes the wished one. */
@@ -78,12 +77,83 @@ static kg_status narrow(kg_editor *e, const json_t *a, kg_error *error) {
     return for_each(e, a, N_("Narrow extent"), narrow_one, error);
 }
 
+/* ---- what they would do ------------------------------------------------------------------ */
+
+enum { SAMPLES = 33 };
+
+/* The farthest that a point of one geodesic is from another, at equal v. */
+static double movement(const kg_patch_input *a, const kg_patch_input *b) {
+    kg_curve from, to;
+    double most = 0;
+    if (kg_curve_init(a->points, a->point_count, &from, NULL) ||
+        kg_curve_init(b->points, b->point_count, &to, NULL))
+        return 0;
+    for (int i = 0; i < SAMPLES; i++) {
+        double v = (double)i / (SAMPLES - 1);
+        most = fmax(most, kg_dist(kg_curve_point(&from, v), kg_curve_point(&to, v)));
+    }
+    return most;
+}
+
+/* The farthest that the halves and the plane between them are from the geodesic. */
+static double split_movement(const kg_patch_input *input, const kg_patch_parts *parts) {
+    kg_curve from, to;
+    double most = 0;
+    if (kg_curve_init(input->points, input->point_count, &from, NULL))
+        return 0;
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < SAMPLES && !kg_curve_init(parts->halves[k].points, 4, &to, NULL); i++) {
+            kg_vec3 x = kg_curve_point(&to, (double)i / (SAMPLES - 1));
+            double nearest = HUGE_VAL;
+            for (int j = 0; j < 4 * SAMPLES; j++)
+                nearest = fmin(nearest, kg_dist(x, kg_curve_point(&from, j / (4.0 * SAMPLES - 1))));
+            most = fmax(most, nearest);
+        }
+    return most;
+}
+
+static void offer(kg_mends *mends, const char *command, double moved, const double extent[2]) {
+    mends->items[mends->count++] = (kg_mend){command, moved, {extent[0], extent[1]}};
+}
+
+void kg_mend_offer(kg_editor *e, int64_t id) {
+    kg_mends *mends = &e->mends;
+    if (mends->patch == id && mends->solved == e->solved)
+        return;
+    *mends = (kg_mends){.patch = id, .solved = e->solved};
+    const kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
+    kg_patch_input out;
+    kg_patch patch;
+    kg_patch_parts parts;
+    if (!p || kg_patch_is_sound(&p->input))
+        return;
+    if (!kg_patch_equalize(&p->input, &out, NULL))
+        offer(mends, "patch.equalise", movement(&p->input, &out), out.extent);
+    if (!kg_mend_is_trimmed(kg_editor_model(e), p) && !kg_patch_divide(&p->input, &parts, NULL))
+        offer(mends, "patch.split", split_movement(&p->input, &parts), p->input.extent);
+    if (!kg_patch_flatten(&p->input, &out, NULL) && kg_patch_is_sound(&out))
+        offer(mends, "patch.planarize", movement(&p->input, &out), out.extent);
+    if (!kg_patch_init(&p->input, &patch, NULL) && patch.clamped) {
+        out = p->input;
+        out.extent[0] = patch.extent[0];
+        out.extent[1] = patch.extent[1];
+        if (kg_patch_is_sound(&out))
+            offer(mends, "patch.narrow", 0, out.extent);
+    }
+}
+
 static const kg_app_command items[] = {
     {"patch.refit", N_("Refit"), N_("Cuts the geodesic back to what is left of the patch."),
      "Ctrl+R", NULL, refit, kg_has_selection, KG_COMMAND_EDIT},
     {"patch.planarize", N_("Flatten geodesic"),
      N_("Moves the inner points into one plane with the ends: the rulings become parallel."), NULL,
      NULL, planarize, kg_has_selection, KG_COMMAND_EDIT},
+    {"patch.equalise", N_("Equalise end angles"),
+     N_("Evens out how the geodesic turns, as far as its rulings need; its ends stay."), NULL, NULL,
+     equalize, kg_has_selection, KG_COMMAND_EDIT},
+    {"patch.split", N_("Split with a plane"),
+     N_("Divides the patch where its rulings are bad, with a plane between the halves."), NULL,
+     NULL, split, kg_has_selection, KG_COMMAND_EDIT},
     {"patch.narrow", N_("Narrow extent"),
      N_("Sets the extent to what the edge of regression allows."), NULL, NULL, narrow,
      kg_has_selection, KG_COMMAND_EDIT},

@@ -126,7 +126,8 @@ const kg_mode kg_patch_mode = {
     .compose = kg_patch_scene_compose,
     .drop = kg_patch_scene_drop,
     .menu = {N_("Patch"), "patch.add - patch.move patch.rotate patch.scale - trim.by trim.inside "
-                          "trim.contour - patch.refit patch.planarize patch.narrow - patch.flip "
+                          "trim.contour - patch.refit patch.planarize patch.equalise patch.split "
+                          "patch.narrow - patch.flip "
                           "patch.construction patch.rename - patch.hide patch.isolate "
                           "patch.show_all"},
     .context = context_menu,

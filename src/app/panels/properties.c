@@ -1,5 +1,6 @@
 /* What the first selected patch is made of, in numbers; without one, the model. */
 #include "app/commands/commands.h"
+#include "app/commands/mend.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
 #include "model/edit.h"
@@ -171,28 +172,43 @@ static void show_trims(kg_editor *e, int64_t id) {
     kg_ui_check(_("Trim inside also trims the cutters"), &e->trim_cutters);
 }
 
-/* A button for the edit that mends an issue; returns the command when it was pressed. */
-static const char *mend_button(const kg_issue *issue, size_t index) {
-    static const struct {
-        const char *code, *command;
-    } cures[] = {{"extent-clamped", "patch.narrow"},
-                 {"flat-ruling", "patch.planarize"},
-                 {"bad-patch", "patch.planarize"}};
+/* What an edit would do, in a few words. */
+static void describe_mend(const kg_mend *mend, char *out, size_t size) {
+    if (strcmp(mend->command, "patch.narrow") == 0)
+        snprintf(out, size, _("to %.1f … %.1f mm"), mend->extent[0], mend->extent[1]);
+    else
+        snprintf(out, size, _("by %.1f mm"), mend->movement);
+}
+
+/* Buttons for the edits that would mend the rulings; returns the command of one that is pressed.
+ * None while a gesture goes on: trying them takes longer than a frame. */
+static const char *show_mends(kg_editor *e, int64_t patch) {
     const char *pressed = NULL;
-    for (size_t i = 0; i < sizeof cures / sizeof *cures; i++) {
-        if (strcmp(issue->code, cures[i].code) != 0)
-            continue;
-        kg_ui_id_push((int64_t)index);
-        if (kg_ui_small_button(_(kg_command_find(cures[i].command)->title)))
-            pressed = cures[i].command;
-        kg_ui_id_pop();
+    char text[96];
+    if (e->before)
+        return NULL;
+    kg_mend_offer(e, patch);
+    for (size_t i = 0; i < e->mends.count; i++) {
+        const kg_mend *mend = &e->mends.items[i];
+        const kg_app_command *command = kg_command_find(mend->command);
+        if (kg_ui_button(_(command->title)))
+            pressed = mend->command;
+        kg_ui_tooltip(_(command->help));
+        kg_ui_same_line();
+        describe_mend(mend, text, sizeof text);
+        kg_ui_text_dim(text);
     }
     return pressed;
 }
 
+static bool is_of_rulings(const kg_issue *issue) {
+    return strcmp(issue->code, "extent-clamped") == 0 || strcmp(issue->code, "flat-ruling") == 0 ||
+           strcmp(issue->code, "bad-patch") == 0;
+}
+
 static void show_issues(kg_editor *e, int64_t patch) {
     const kg_solution *s = kg_editor_solution(e);
-    const char *command = NULL; /* run at the end: it solves anew */
+    bool bad_rulings = false;
     for (size_t i = 0; i < kg_solution_issue_count(s); i++) {
         const kg_issue *issue = kg_solution_issue(s, i);
         if (issue->patch != patch)
@@ -202,10 +218,12 @@ static void show_issues(kg_editor *e, int64_t patch) {
                                                      : (kg_color){0.9F, 0.65F, 0.15F, 1},
                          issue->severity == KG_FAULT ? _("Fault") : _("Warning"));
         kg_ui_text_wrapped(issue->message);
-        command = command ? command : mend_button(issue, i);
+        bad_rulings = bad_rulings || is_of_rulings(issue);
     }
+    /* run at the end: it solves anew */
+    const char *command = bad_rulings ? show_mends(e, patch) : NULL;
     if (command)
-        kg_command_do(e, command);
+        run(e, command, json_pack("{s:I}", "patch", (json_int_t)patch));
 }
 
 static void show_patch(kg_app *app, int64_t id) {
