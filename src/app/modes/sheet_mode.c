@@ -2,6 +2,7 @@
 #include "app/expect.h"
 #include "app/modes/mesh_scene.h"
 #include "app/modes/modes.h"
+#include "app/modes/sheet_state.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
@@ -32,7 +33,11 @@ const kg_mode kg_sheet_mode = {
     .kind = KG_DOCUMENT_ORIGAMI,
     .title = N_("folded sheet"),
     .tool = &kg_tool_look,
-    .box = kg_mesh_scene_box,
+    .create = kg_sheets_create,
+    .destroy = kg_sheets_destroy,
+    .follow = kg_sheets_follow,
+    .tick = kg_sheets_tick,
+    .box = kg_sheets_box,
     .compose = kg_mesh_scene_compose,
     .drop = kg_mesh_scene_drop,
     .menu = {N_("Fold"), "view.frame_all"},
