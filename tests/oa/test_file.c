@@ -65,11 +65,11 @@ static void broken_cards_are_refused_with_the_place(void **state) {
     refused(CARD("\"size\": [3, 4, 2], \"cell_mm\": 1e9, " DEPTH), ":2|cell_mm");
     refused(CARD("\"size\": [3, 4, 2], " DEPTH), "cell_mm");
     refused(CARD(SIZE DEPTH ",\n\"windows\": [[1, 0],\n[1, 2]]"), ":7|0 to 1");
-    refused(CARD(SIZE DEPTH ",\n\"windows\": [[3, 0]]"), ":6|0 and 2");
+    refused(CARD(SIZE DEPTH ",\n\"windows\": [[3, 0]]"), ":6|0 to 2");
     refused(CARD(SIZE DEPTH ",\n\"windows\": [[0, 0]]"), ":6|column 0|level 0");
     refused(CARD(SIZE DEPTH ",\n\"windows\": [1]"), ":6|[x, z]");
     refused(CARD(SIZE DEPTH ",\n\"omitted\": [[1, 0]]"), ":6|column 1|height 0");
-    refused(CARD(SIZE DEPTH ",\n\"omitted\": [[1, 3]]"), ":6|0 and 2");
+    refused(CARD(SIZE DEPTH ",\n\"omitted\": [[1, 3]]"), ":6|0 to 2");
     refused(CARD(SIZE DEPTH ",\n\"margin_cells\": 1.5"), ":6|whole");
     refused(CARD(SIZE DEPTH ",\n\"margin_cells\": 1e6"), ":6|margin_cells");
     refused(CARD(SIZE DEPTH ",\n\"diagonals\": 1"), ":6|diagonals");
