@@ -82,6 +82,8 @@ static kg_status op_of_selection(const kg_editor *e, kg_trim_op *op, kg_error *e
 static kg_status trim_by(kg_editor *e, const json_t *a, kg_error *error) {
     kg_trim_op op = {.kind = KG_TRIM_BY};
     kg_model_patch *p;
+    if (!a && !kg_has_two_selected(e))
+        return kg_tool_start_cutter(e, error);
     kg_status status = kg_argument_patch(e, a, &p, error);
     if (status)
         return status;
@@ -227,8 +229,10 @@ static kg_status set_trim(kg_editor *e, const json_t *a, kg_error *error) {
 
 static const kg_app_command items[] = {
     {"trim.by", N_("Trim"),
-     N_("The first selected patch is cut by the second; a click chooses what stays."), "T", NULL,
-     trim_by, kg_has_two_selected, KG_COMMAND_EDIT},
+     N_("The first selected patch is cut by the second, or by the one that is clicked; another "
+        "click "
+        "chooses what stays."),
+     "T", NULL, trim_by, kg_has_selection, KG_COMMAND_EDIT},
     {"trim.inside", N_("Trim inside"),
      N_("Of the first selected patch stays the piece that the others enclose."), "Shift+T", NULL,
      trim_inside, kg_has_two_selected, KG_COMMAND_EDIT},

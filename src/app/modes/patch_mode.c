@@ -93,7 +93,8 @@ static void toolbar(kg_app *app) {
     kg_panel_tool_button(e, "patch.move", KG_ICON_MOVE, false);
     kg_panel_tool_button(e, "patch.rotate", KG_ICON_ROTATE, false);
     kg_ui_separator();
-    kg_panel_tool_button(e, "trim.by", KG_ICON_TRIM, e->tool == &kg_tool_pieces);
+    kg_panel_tool_button(e, "trim.by", KG_ICON_TRIM,
+                         e->tool == &kg_tool_cutter || e->tool == &kg_tool_pieces);
     kg_panel_tool_button(e, "trim.contour", KG_ICON_CONTOUR, e->tool == &kg_tool_contour);
     kg_panel_tool_button(e, "patch.mirror", KG_ICON_MIRROR, false);
     kg_panel_tool_button(e, "patch.flip", KG_ICON_FLIP, false);

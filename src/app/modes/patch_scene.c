@@ -196,8 +196,7 @@ static void add_rulings(kg_overlay *o, const kg_solved_patch *solved, kg_color c
     }
 }
 
-/* The whole rectangle, which cuts others even where the patch itself is trimmed away. */
-static void add_rectangle(kg_overlay *o, const kg_patch *patch, kg_color color) {
+void kg_patch_rectangle_draw(kg_overlay *o, const kg_patch *patch, kg_color color) {
     kg_vec3 points[2 * CURVE_SAMPLES + 1];
     for (int i = 0; i < CURVE_SAMPLES; i++) {
         double v = (double)i / (CURVE_SAMPLES - 1);
@@ -241,7 +240,7 @@ static void add_selected(kg_overlay *o, const kg_editor *e, const kg_model_patch
         add_rulings(o, solved, kg_rank_color(rank));
         add_geodesic(o, &solved->patch, kg_rank_color(rank));
         if (rank > 0 || !solved->valid)
-            add_rectangle(o, &solved->patch, kg_rank_color(rank));
+            kg_patch_rectangle_draw(o, &solved->patch, kg_rank_color(rank));
     }
     if (kg_editor_shows_points(e, p->id))
         add_points(o, e, p);
@@ -278,7 +277,7 @@ static void add_patch(kg_overlay *o, const kg_editor *e, size_t index, const pat
     if (rank >= 0)
         add_selected(o, e, p, solved, rank);
     else if (!s->surface && solved->prepared)
-        add_rectangle(o, &solved->patch, (kg_color){0.8F, 0.25F, 0.1F, 1});
+        kg_patch_rectangle_draw(o, &solved->patch, (kg_color){0.8F, 0.25F, 0.1F, 1});
 }
 
 static kg_status add_patches(patch_stage *stage, const kg_editor *e, kg_overlay *o,

@@ -4,6 +4,7 @@
  */
 #include "app/text.h"
 #include "app/tools/corner.h"
+#include "app/tools/cutter.h"
 #include "app/tools/drag.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
@@ -30,6 +31,7 @@ typedef struct state {
     kg_point_drag drag;
     kg_extent_drag extent;
     kg_corner corner;
+    kg_cutter_preview cutters;
     kg_vec2 cycled_at; /* where the last click was, to reach what lies behind */
     size_t depth;
 } state;
@@ -245,14 +247,20 @@ static bool on_event(kg_editor *e, const kg_event *event) {
     }
 }
 
+/* With Shift, the patch that a click would make a cutter. */
+static int64_t next_cutter(const kg_editor *e, const state *s) {
+    return s->gesture == IDLE && e->mods & KG_MOD_SHIFT ? kg_cutter_hovered(e) : 0;
+}
+
 static void draw(const kg_editor *e, kg_overlay *overlay) {
-    const state *s = e->tool_state;
+    state *s = e->tool_state;
     kg_extent_drag_draw(e, overlay);
     kg_corners_draw(e, overlay);
     if (!s)
         return;
     if (s->gesture == DRAGGING_POINTS || s->gesture == DRAGGING_EXTENT)
         kg_legal_band_draw(e, overlay);
+    kg_cutter_preview_draw(&s->cutters, e, next_cutter(e, s), overlay);
 }
 
 bool kg_select_box_now(const kg_editor *e, kg_vec2 *out_from) {
@@ -274,6 +282,8 @@ static const char *hint_now(const kg_editor *e) {
         return _(
             "Drag the corner of the contour   Backspace: remove it   Ctrl+click on an edge: one "
             "more");
+    if (s && next_cutter(e, s) && !kg_cutter_preview_meets(&s->cutters, next_cutter(e, s)))
+        return _("This patch does not meet the red one, so it cannot trim it.");
     if (e->selection.patches.count > 1)
         return _(
             "T: the red patch is trimmed by the blue one   Shift+T: trim inside   Shift+click: "

@@ -26,6 +26,7 @@ extern const kg_tool kg_tool_look;
 extern const kg_tool kg_tool_select;
 extern const kg_tool kg_tool_place;
 extern const kg_tool kg_tool_transform;
+extern const kg_tool kg_tool_cutter;
 extern const kg_tool kg_tool_pieces;
 extern const kg_tool kg_tool_contour;
 

@@ -25,6 +25,9 @@ kg_status kg_tool_hold_transform(kg_editor *editor, kg_transform_kind kind, int 
 /* The middle of what is selected, points at their level, else patches. */
 kg_vec3 kg_selection_center(const kg_editor *editor);
 
+/* A click names the patch that trims the selected one, and trims it. */
+kg_status kg_tool_start_cutter(kg_editor *editor, kg_error *error) KG_CHECKED;
+
 /* A step that adds a trim to `patch` is open; a click chooses the pieces that stay. */
 kg_status kg_tool_start_pieces(kg_editor *editor, int64_t patch, kg_error *error) KG_CHECKED;
 
