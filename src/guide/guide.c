@@ -85,31 +85,49 @@ static kg_status order_parts(kg_guide *guide, kg_error *error) {
     return status;
 }
 
-static kg_status open_paper(kg_guide *guide, kg_error *error) {
+static kg_status open_paper(kg_guide *guide, kg_word footing, const char *titled, kg_error *error) {
     char title[KG_SENTENCE], footer[KG_SENTENCE];
-    bool titled = guide->net->title && guide->net->title[0];
     kg_words(title, sizeof title, KG_WORD_UNTITLED);
-    kg_words(footer, sizeof footer, KG_WORD_FOOTER, titled ? guide->net->title : title);
+    kg_words(footer, sizeof footer, footing, titled && titled[0] ? titled : title);
     return kg_book_create(paper_size(guide->layout), footer, footer, &guide->paper, error);
+}
+
+static kg_status write_assembly(kg_guide *guide, const kg_document *document,
+                                const kg_document_net *net, kg_error *error) {
+    kg_status status = kg_assembly_create(document, guide->net, net->room, &guide->assembly, error);
+    if (!status)
+        status = order_parts(guide, error);
+    if (!status)
+        status = kg_stage_create(guide->assembly, &guide->stage, error);
+    if (!status)
+        status = open_paper(guide, KG_WORD_FOOTER, guide->net->title, error);
+    if (!status)
+        status = kg_guide_opening(guide, error);
+    return status ? status : kg_guide_steps(guide, error);
+}
+
+static kg_status write_folds(kg_guide *guide, const kg_origami *origami, kg_error *error) {
+    kg_status status = open_paper(guide, KG_WORD_SHEETS_FOOTER, kg_origami_title(origami), error);
+    return status ? status : kg_guide_folds(guide, origami, error);
 }
 
 kg_status kg_guide_write(const kg_document *document, const kg_document_net *net,
                          const kg_net_layout *layout, const kg_net_options *options,
                          const char *path, const kg_progress *progress, kg_error *error) {
     kg_guide guide = {.net = net->net, .layout = layout, .options = options, .progress = progress};
-    if (kg_document_get_kind(document) != KG_DOCUMENT_PATCHES)
-        return kg_fail(error, KG_ERR_INPUT, "assembly guides are made for patch models only");
-    kg_status status = kg_assembly_create(document, guide.net, net->room, &guide.assembly, error);
-    if (!status)
-        status = order_parts(&guide, error);
-    if (!status)
-        status = kg_stage_create(guide.assembly, &guide.stage, error);
-    if (!status)
-        status = open_paper(&guide, error);
-    if (!status)
-        status = kg_guide_opening(&guide, error);
-    if (!status)
-        status = kg_guide_steps(&guide, error);
+    kg_status status;
+    switch (kg_document_get_kind(document)) {
+    case KG_DOCUMENT_PATCHES:
+        status = write_assembly(&guide, document, net, error);
+        break;
+    case KG_DOCUMENT_ORIGAMI:
+        status =
+            write_folds(&guide, kg_document_origami((kg_document *)(uintptr_t)document), error);
+        break;
+    default:
+        return kg_fail(error, KG_ERR_INPUT,
+                       "a card is cut and folded as its net shows, without a guide");
+    }
     if (!status)
         status = kg_book_finish(guide.paper, error);
     if (!status)

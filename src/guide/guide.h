@@ -23,6 +23,9 @@ typedef struct kg_guide {
 /* Cover, list of parts, legend. */
 kg_status kg_guide_opening(kg_guide *guide, kg_error *error) KG_CHECKED;
 
+/* All pages of a folding sequence: its pictures, the signs, the crease pattern. */
+kg_status kg_guide_folds(kg_guide *guide, const kg_origami *origami, kg_error *error) KG_CHECKED;
+
 /* A block for each step. */
 kg_status kg_guide_steps(kg_guide *guide, kg_error *error) KG_CHECKED;
 

@@ -75,6 +75,41 @@ static const char *const words[KG_WORD_COUNT] = {
     [KG_WORD_PLACE_TEXT] =
         "No join holds this sub-assembly. Place it as the picture shows, with a drop of glue or "
         "beside the rest.",
+    [KG_WORD_SHEETS_FOOTER] = "%s · folding steps", /* title */
+    [KG_WORD_SHEETS_GUIDE] = "Folding steps",
+    [KG_WORD_SHEET_SIZE] = "Sheet %d: %.4g × %.4g mm", /* number, width, height */
+    [KG_WORD_SHEETS_COUNTS] = "Folds: %d · crease pattern on the last page",
+    [KG_WORD_CREASE_PATTERN] = "Crease pattern",
+    [KG_WORD_TO_CORNER] = "Fold the corner to the other corner.",
+    [KG_WORD_TO_CORNER_BEHIND] = "Fold the corner behind, to the other corner.",
+    [KG_WORD_EDGE_TO_EDGE] = "Fold the edge to the other edge.",
+    [KG_WORD_EDGE_TO_EDGE_BEHIND] = "Fold the edge behind, to the other edge.",
+    [KG_WORD_TO_EDGE] = "Fold the corner to the circled point on the edge.",
+    [KG_WORD_TO_EDGE_BEHIND] = "Fold the corner behind, to the circled point on the edge.",
+    [KG_WORD_TO_POINT] = "Fold the corner to the circled point.",
+    [KG_WORD_TO_POINT_BEHIND] = "Fold the corner behind, to the circled point.",
+    [KG_WORD_ALONG_LINE] = "Fold along the dashed line.",
+    [KG_WORD_ALONG_LINE_BEHIND] = "Fold behind along the line.",
+    [KG_WORD_BY_ANGLE] = "Turn it by %.4g° only.",
+    [KG_WORD_LAYERS] = "%d layers together.",
+    [KG_WORD_TOP_LAYER] = "One layer only, of %d.",
+    [KG_WORD_TOP_LAYERS] = "%d layers together, of %d.",
+    [KG_WORD_TUCK] = "Tuck it between two layers.",
+    [KG_WORD_UNFOLD] = "Unfold it again: the crease stays.",
+    [KG_WORD_TURN_OVER] = "Turn the paper over.",
+    [KG_WORD_SEEN_OBLIQUE] = "Seen from an angle.",
+    [KG_WORD_FINISHED] = "The finished model.",
+    [KG_WORD_COLLAPSED] = "Folded along all its creases.",
+    [KG_WORD_LENGTH] = "%.6g mm",
+    [KG_WORD_SIGNS] = "Lines and arrows",
+    [KG_WORD_VALLEY_LINE] = "Valley fold: towards you",
+    [KG_WORD_MOUNTAIN_LINE] = "Mountain fold: away from you",
+    [KG_WORD_OLD_CREASE] = "Crease from an earlier fold",
+    [KG_WORD_VALLEY_ARROW] = "Fold in front",
+    [KG_WORD_MOUNTAIN_ARROW] = "Fold behind",
+    [KG_WORD_UNFOLD_ARROW] = "Fold and unfold",
+    [KG_WORD_TURN_SYMBOL] = "Turn over",
+    [KG_WORD_PATTERN_TEXT] = "All folds of the finished model, seen from the front of the paper.",
 };
 
 char *kg_words(char *out, size_t size, kg_word word, ...) {
