@@ -182,6 +182,59 @@ KG_API bool kg_origami_redo(kg_origami *origami);
  * one of them cannot be done without it. */
 KG_API kg_status kg_origami_unfold(kg_origami *origami, size_t index, kg_error *error) KG_CHECKED;
 
+/* ---- folds being made ------------------------------------------------------------------- */
+
+/* Why a fold is refused, where it is more than the message says. */
+typedef enum kg_fold_fault {
+    KG_FOLD_OTHER,    /* see the message */
+    KG_FOLD_IN_WAY,   /* face [0] would pass through face [1] */
+    KG_FOLD_AT_EDGE,  /* two faces would pass through each other at the edge they share */
+    KG_FOLD_HELD,     /* face [0] would pull at face [1], which something at rest holds */
+    KG_FOLD_ALL_MOVES /* the axis is beside the paper */
+} kg_fold_fault;
+
+/* What a fold would do. Faces are those of the state it starts from. */
+typedef struct kg_fold_preview {
+    bool has_axis;                      /* false: nothing below is known */
+    kg_vec3 origin, axis, side, normal; /* a point of the axis, its direction, the side that moves,
+                                           the group's normal; unit */
+    double angle;                       /* radians, signed: positive towards the normal */
+    int32_t group;
+    int32_t layer_count; /* how many layers can move */
+    int32_t *layers;     /* of each loop: with the first so many it moves; 0: with none */
+    size_t part_count;   /* pieces that move */
+    kg_vec3 *points;     /* their corners as they lie before the fold … */
+    size_t *starts;      /* … of piece i from starts[i] up to starts[i + 1] */
+    int32_t *loops;      /* that each is part of */
+    size_t crease_count;
+    kg_vec3 *creases; /* two ends each: where loops are cut */
+    kg_fold_fault fault;
+    int32_t faces[2]; /* to blame, -1: none */
+    double meets_deg; /* turned when they first touch, >= 0 */
+} kg_fold_preview;
+
+/* Works out a fold of `state` without doing it. Errors are those of kg_origami_fold; `out` then
+ * holds as much as is known and is to be cleared all the same. */
+KG_API kg_status kg_fold_preview_make(const kg_origami_state *state, const kg_fold *fold,
+                                      kg_fold_preview *out, kg_error *error) KG_CHECKED;
+KG_API void kg_fold_preview_clear(kg_fold_preview *preview);
+/* A point of the moving part after `fraction` of the angle. */
+KG_API kg_vec3 kg_fold_preview_turn(const kg_fold_preview *preview, kg_vec3 point, double fraction);
+
+/* Two faces that a flat fold can end between, for kg_fold.between. */
+typedef struct kg_fold_gap {
+    int32_t lower, upper; /* seen from the side it folds to */
+    int32_t depth;        /* layers that lie above the gap */
+} kg_fold_gap;
+
+/* All gaps between faces at rest that a fold can end in, from the top down; of those that come to
+ * the same only one. free() the list. Errors as above, of the fold that ends outside. */
+KG_API kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold,
+                              kg_fold_gap **out_gaps, size_t *out_count,
+                              kg_error *error) KG_CHECKED;
+
+/* ---- between two steps -------------------------------------------------------------------- */
+
 /* Positions of the vertices of step `step` while fold `step` is under way: `fraction` in [0, 1] of
  * its angle. `out_positions` holds as many as the state at `step` + 1, whose topology it is. */
 KG_API void kg_origami_between(const kg_origami *origami, size_t step, double fraction,

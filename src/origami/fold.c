@@ -99,7 +99,8 @@ static kg_status cut_loops(const kg_folding *f, cutting *c) {
 /* ---- turning ---------------------------------------------------------------------------- */
 
 /* Fold angles of the edges on the axis, from which side moves. */
-static kg_status turn_edges(cutting *c, const kg_fold_axis *a, kg_error *error) {
+static kg_status turn_edges(cutting *c, const kg_fold_axis *a, kg_fold_blame *blame,
+                            kg_error *error) {
     kg_origami_state *s = c->state;
     for (size_t e = 0; e < s->edges.count; e++) {
         int32_t half = (int32_t)(2 * e), x = kg_loop_of(s, half), y = kg_loop_of(s, half + 1);
@@ -117,10 +118,14 @@ static kg_status turn_edges(cutting *c, const kg_fold_axis *a, kg_error *error) 
             kg_dot(kg_fold_velocity(a, *kg_origin(s, far)), kg_origami_normal(s, moving));
         kg_paper_edge *edge = &s->edges.items[e];
         double angle = edge->angle + copysign(fabs(a->angle), towards);
-        if (fabs(angle) > PI + KG_LEAST_ANGLE)
+        if (fabs(angle) > PI + KG_LEAST_ANGLE) {
+            *blame = (kg_fold_blame){KG_FOLD_AT_EDGE,
+                                     {c->parts.parents[x], c->parts.parents[y]},
+                                     PI - fabs(edge->angle)};
             return kg_fail(error, KG_ERR_INPUT,
-                           "faces %d and %d would pass through each other at their common edge", x,
-                           y);
+                           "faces %d and %d would pass through each other at their common edge",
+                           blame->faces[0], blame->faces[1]);
+        }
         if (fabs(angle) > PI - KG_LEAST_ANGLE)
             angle = copysign(PI, angle);
         edge->angle = fabs(angle) < KG_LEAST_ANGLE ? 0 : angle;
@@ -204,47 +209,63 @@ static kg_status turn_groups(cutting *c, const kg_fold_axis *a) {
 
 /* ---- the fold --------------------------------------------------------------------------- */
 
-static kg_status check_sweep(const cutting *c, const kg_fold_axis *a, kg_error *error) {
+static kg_status check_sweep(const cutting *c, const kg_fold_axis *a, kg_fold_blame *blame,
+                             kg_error *error) {
     bool collides, rests = false;
     kg_collision hit;
     for (size_t i = 0; i < c->state->loops.count; i++)
         rests |= !c->parts.moves[i];
-    if (!rests)
+    if (!rests) {
+        blame->fault = KG_FOLD_ALL_MOVES;
         return kg_fail(error, KG_ERR_INPUT, "the whole paper would move: the axis is beside it");
+    }
     kg_status status = kg_sweep(c->state, a, c->parts.moves, &collides, &hit);
-    if (!status && collides)
+    if (!status && collides) {
+        *blame = (kg_fold_blame){KG_FOLD_IN_WAY,
+                                 {c->parts.parents[hit.moving], c->parts.parents[hit.resting]},
+                                 hit.angle};
         return kg_fail(error, KG_ERR_INPUT,
                        "the fold would pass through paper: face %d meets face %d at %.4g degrees",
-                       c->parts.parents[hit.moving], c->parts.parents[hit.resting],
-                       hit.angle * 180 / PI);
+                       blame->faces[0], blame->faces[1], hit.angle * 180 / PI);
+    }
+    return status;
+}
+
+kg_status kg_folding_finish(kg_folding *f, const kg_fold *fold, kg_origami_state **out_state,
+                            bool **out_moves, kg_error *error) {
+    cutting c = {0};
+    kg_status status = cut_loops(f, &c);
+    if (!status)
+        status = check_sweep(&c, &f->axis, &f->blame, error);
+    if (!status)
+        status = turn_edges(&c, &f->axis, &f->blame, error);
+    if (!status)
+        status = turn_vertices(&c, &f->axis, error);
+    if (!status)
+        status = turn_groups(&c, &f->axis);
+    if (!status)
+        status = kg_fold_land(f, fold, &c.parts, c.state, error);
+    if (!status) {
+        *out_state = c.state;
+        c.state = NULL;
+    }
+    if (!status && out_moves) {
+        *out_moves = c.parts.moves;
+        c.parts.moves = NULL;
+    }
+    cutting_clear(&c);
     return status;
 }
 
 kg_status kg_state_fold(const kg_origami_state *state, const kg_fold *fold,
                         kg_origami_state **out_state, kg_error *error) {
     kg_folding f;
-    cutting c = {0};
     kg_status status = kg_folding_create(state, fold, &f, error);
     if (!status) {
         status = kg_folding_pick(&f, fold, error);
         if (!status)
-            status = cut_loops(&f, &c);
-        if (!status)
-            status = check_sweep(&c, &f.axis, error);
-        if (!status)
-            status = turn_edges(&c, &f.axis, error);
-        if (!status)
-            status = turn_vertices(&c, &f.axis, error);
-        if (!status)
-            status = turn_groups(&c, &f.axis);
-        if (!status)
-            status = kg_fold_land(&f, fold, &c.parts, c.state, error);
+            status = kg_folding_finish(&f, fold, out_state, NULL, error);
         kg_folding_clear(&f);
     }
-    if (!status) {
-        *out_state = c.state;
-        c.state = NULL;
-    }
-    cutting_clear(&c);
     return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
 }

@@ -12,6 +12,13 @@ typedef struct kg_fold_axis {
     int32_t group;
 } kg_fold_axis;
 
+/* Why a fold was refused, where that is more than words can say. */
+typedef struct kg_fold_blame {
+    kg_fold_fault fault;
+    int32_t faces[2]; /* of the state it starts from; -1: none */
+    double angle;     /* turned when they first touch */
+} kg_fold_blame;
+
 typedef struct kg_folding {
     const kg_origami_state *state; /* the one it starts from */
     kg_fold_axis axis;
@@ -22,6 +29,7 @@ typedef struct kg_folding {
     signed char *reach; /* of loops in the group, bits: 1 some corner beyond the axis, 2 some on the
                            resting side */
     bool *moves;        /* loops that move; those across the axis with their part beyond it */
+    kg_fold_blame blame;
 } kg_folding;
 
 /* Prepares a fold up to its axis. */
@@ -66,6 +74,11 @@ typedef struct kg_fold_parts {
  * before. */
 kg_status kg_fold_land(const kg_folding *folding, const kg_fold *fold, const kg_fold_parts *parts,
                        kg_origami_state *after, kg_error *error);
+
+/* Does the fold when it is known what moves. `out_moves` (may be NULL) receives for each loop of
+ * the new state whether it moved; free() it. */
+kg_status kg_folding_finish(kg_folding *folding, const kg_fold *fold, kg_origami_state **out_state,
+                            bool **out_moves, kg_error *error) KG_CHECKED;
 
 /* `fold` done to `state`. */
 kg_status kg_state_fold(const kg_origami_state *state, const kg_fold *fold,

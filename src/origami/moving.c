@@ -50,6 +50,7 @@ static kg_status follow_edge(kg_folding *f, stack *todo, int32_t half, kg_error 
         return KG_OK;
     if (rests) {
         int32_t rigid = in_group(f, loop) ? other : loop;
+        f->blame = (kg_fold_blame){KG_FOLD_HELD, {loop, other}, 0};
         return kg_fail(
             error, KG_ERR_INPUT,
             "face %d, in another plane, would have to move with face %d and to stay with "

@@ -1,0 +1,267 @@
+/* What a fold would do, worked out without doing it. */
+#include "origami/folding.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* More layers than this where a fold ends are more than anybody chooses from. */
+enum { MOST_LAYERS = 64 };
+
+static const double PI = 3.141592653589793;
+
+void kg_fold_preview_clear(kg_fold_preview *p) {
+    free(p->layers);
+    free(p->points);
+    free(p->starts);
+    free(p->loops);
+    free(p->creases);
+    *p = (kg_fold_preview){0};
+}
+
+static kg_fold_axis axis_of(const kg_fold_preview *p) {
+    return (kg_fold_axis){.origin = p->origin,
+                          .axis = p->axis,
+                          .side = p->side,
+                          .normal = p->normal,
+                          .angle = p->angle};
+}
+
+kg_vec3 kg_fold_preview_turn(const kg_fold_preview *p, kg_vec3 point, double fraction) {
+    kg_fold_axis axis = axis_of(p);
+    return kg_fold_turn(&axis, point, fraction * p->angle);
+}
+
+/* ---- how many layers there are ----------------------------------------------------------- */
+
+/* Picks one layer after another, noting with which of them each loop moves. */
+static kg_status count_layers(kg_folding *f, const kg_fold *fold, kg_fold_preview *p) {
+    size_t loops = f->state->loops.count;
+    kg_fold one = *fold;
+    one.layers = 1;
+    p->layers = calloc(loops + 1, sizeof *p->layers);
+    kg_status status = p->layers ? KG_OK : KG_ERR_MEMORY;
+    while (!status && !(status = kg_folding_pick(f, &one, NULL))) {
+        p->layer_count++;
+        for (size_t i = 0; i < loops; i++)
+            if (f->moves[i] && p->layers[i] == 0)
+                p->layers[i] = p->layer_count;
+        one.face = -1;
+    }
+    memset(f->moves, 0, loops * sizeof *f->moves);
+    f->blame = (kg_fold_blame){.faces = {-1, -1}};
+    return status == KG_ERR_INPUT ? KG_OK : status;
+}
+
+/* ---- what moves ------------------------------------------------------------------------- */
+
+/* The part of a loop that moves, as it lies before the fold; `crossing` receives the ends of its
+ * cut. Returns how many corners it has. */
+static size_t moving_part(const kg_folding *f, int32_t loop, kg_vec3 *out, kg_vec3 crossing[2],
+                          size_t *crossing_count) {
+    const kg_origami_state *s = f->state;
+    bool whole = s->loops.items[loop].group != f->axis.group || !(f->reach[loop] & 2);
+    int32_t first = s->loops.items[loop].first, h = first;
+    size_t count = 0, cuts = 0;
+    do {
+        kg_vec3 a = *kg_origin(s, h), b = *kg_origin(s, kg_next(s, h));
+        int side = f->sides[s->halves.items[h].origin],
+            next = f->sides[s->halves.items[kg_next(s, h)].origin];
+        if (whole || side >= 0)
+            out[count++] = a;
+        if (!whole && side == 0 && cuts < 2)
+            crossing[cuts++] = a;
+        if (!whole && side * next < 0 && cuts < 2) {
+            double x = kg_dot(kg_sub(a, f->axis.origin), f->axis.side),
+                   y = kg_dot(kg_sub(b, f->axis.origin), f->axis.side);
+            out[count++] = crossing[cuts++] = kg_lerp(a, b, x / (x - y));
+        }
+    } while ((h = kg_next(s, h)) != first);
+    *crossing_count = cuts;
+    return count;
+}
+
+static kg_status collect_parts(const kg_folding *f, kg_fold_preview *p) {
+    size_t loops = f->state->loops.count, halves = f->state->halves.count, points = 0;
+    p->points = malloc((halves + 2 * loops + 1) * sizeof *p->points);
+    p->starts = malloc((loops + 1) * sizeof *p->starts);
+    p->loops = malloc((loops + 1) * sizeof *p->loops);
+    p->creases = malloc((2 * loops + 1) * sizeof *p->creases);
+    if (!p->points || !p->starts || !p->loops || !p->creases)
+        return KG_ERR_MEMORY;
+    p->starts[0] = 0;
+    for (size_t i = 0; i < loops; i++) {
+        kg_vec3 cut[2];
+        size_t cuts;
+        if (!f->moves[i])
+            continue;
+        points += moving_part(f, (int32_t)i, p->points + points, cut, &cuts);
+        p->loops[p->part_count++] = (int32_t)i;
+        p->starts[p->part_count] = points;
+        if (cuts == 2) {
+            memcpy(p->creases + 2 * p->crease_count, cut, sizeof cut);
+            p->crease_count++;
+        }
+    }
+    return KG_OK;
+}
+
+kg_status kg_fold_preview_make(const kg_origami_state *state, const kg_fold *fold,
+                               kg_fold_preview *out, kg_error *error) {
+    kg_folding f;
+    kg_fold_preview p = {.faces = {-1, -1}};
+    kg_origami_state *after = NULL;
+    kg_status status = kg_folding_create(state, fold, &f, error);
+    *out = p;
+    if (status)
+        return status;
+    p.has_axis = true;
+    p.origin = f.axis.origin, p.axis = f.axis.axis, p.side = f.axis.side, p.normal = f.axis.normal;
+    p.angle = f.axis.angle, p.group = f.axis.group;
+    status = count_layers(&f, fold, &p);
+    if (!status)
+        status = kg_folding_pick(&f, fold, error);
+    if (status != KG_ERR_MEMORY && collect_parts(&f, &p))
+        status = KG_ERR_MEMORY;
+    if (!status)
+        status = kg_folding_finish(&f, fold, &after, NULL, error);
+    p.fault = f.blame.fault;
+    memcpy(p.faces, f.blame.faces, sizeof p.faces);
+    p.meets_deg = f.blame.angle * 180 / PI;
+    kg_state_destroy(after);
+    kg_folding_clear(&f);
+    if (status == KG_ERR_MEMORY) {
+        kg_fold_preview_clear(&p);
+        return kg_fail(error, status, "out of memory");
+    }
+    *out = p;
+    return status;
+}
+
+/* ---- where it could go between ----------------------------------------------------------- */
+
+/* The loops at rest that the fold ends on, highest number first dropped when there are too many. */
+static size_t find_landing(const kg_origami_state *after, const bool *moves, int32_t group,
+                           int32_t out[MOST_LAYERS]) {
+    size_t count = 0;
+    for (size_t i = 0; i < after->orders.count; i++) {
+        kg_layer_order o = after->orders.items[i];
+        if (moves[o.a] == moves[o.b] || after->loops.items[o.a].group != group)
+            continue;
+        int32_t resting = moves[o.a] ? o.b : o.a;
+        bool known = false;
+        for (size_t k = 0; k < count; k++)
+            known |= out[k] == resting;
+        if (!known && count < MOST_LAYERS)
+            out[count++] = resting;
+    }
+    return count;
+}
+
+/* 1: loop b lies on a, seen from the side it folds to; -1 below it; 0 beside it */
+static int seen_order(const kg_origami_state *s, const kg_fold_axis *axis, int32_t a, int32_t b) {
+    double facing = kg_dot(kg_origami_normal(s, a), axis->normal) * axis->angle;
+    return kg_origami_order(s, a, b) * (facing > 0 ? 1 : -1);
+}
+
+static bool are_neighbours(const kg_origami_state *s, const kg_fold_axis *axis,
+                           const int32_t *loops, size_t count, int32_t lower, int32_t upper) {
+    for (size_t i = 0; i < count; i++)
+        if (seen_order(s, axis, lower, loops[i]) > 0 && seen_order(s, axis, loops[i], upper) > 0)
+            return false;
+    return true;
+}
+
+static bool same_orders(const kg_origami_state *a, const kg_origami_state *b) {
+    return a->orders.count == b->orders.count &&
+           memcmp(a->orders.items, b->orders.items, a->orders.count * sizeof *a->orders.items) == 0;
+}
+
+typedef struct gaps {
+    kg_fold_gap *items;
+    size_t count, capacity;
+} gaps;
+
+/* Adds a gap where the fold can end, unless an earlier one comes to the same. */
+static kg_status try_gap(const kg_origami_state *state, const kg_fold *fold, kg_fold_gap gap,
+                         gaps *list, kg_origami_state **states) {
+    kg_fold between = *fold;
+    between.between[0] = gap.lower, between.between[1] = gap.upper;
+    kg_origami_state *after;
+    kg_status status = kg_state_fold(state, &between, &after, NULL);
+    if (status)
+        return status == KG_ERR_INPUT ? KG_OK : status;
+    bool known = false;
+    for (size_t i = 0; i < list->count; i++)
+        known |= same_orders(states[i], after);
+    if (known || list->count == MOST_LAYERS) {
+        kg_state_destroy(after);
+        return KG_OK;
+    }
+    if (!kg_push(list, gap)) {
+        kg_state_destroy(after);
+        return KG_ERR_MEMORY;
+    }
+    states[list->count - 1] = after;
+    return KG_OK;
+}
+
+static kg_status try_gaps(const kg_origami_state *state, const kg_fold *fold,
+                          const kg_fold_axis *axis, const kg_origami_state *after,
+                          const bool *moves, gaps *list, kg_origami_state **states) {
+    int32_t loops[MOST_LAYERS];
+    size_t count = find_landing(after, moves, axis->group, loops);
+    kg_status status = KG_OK;
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < count && !status; k++) {
+            kg_fold_gap gap = {.lower = loops[i], .upper = loops[k]};
+            if (seen_order(after, axis, gap.lower, gap.upper) <= 0 ||
+                !are_neighbours(after, axis, loops, count, gap.lower, gap.upper))
+                continue;
+            for (size_t n = 0; n < count; n++)
+                gap.depth += seen_order(after, axis, gap.upper, loops[n]) > 0;
+            gap.depth++;
+            status = try_gap(state, fold, gap, list, states);
+        }
+    return status;
+}
+
+/* From the top down, those of the same depth as they were found. */
+static void sort_gaps(gaps *list) {
+    for (size_t i = 1; i < list->count; i++)
+        for (size_t k = i; k > 0 && list->items[k].depth < list->items[k - 1].depth; k--) {
+            kg_fold_gap swap = list->items[k];
+            list->items[k] = list->items[k - 1];
+            list->items[k - 1] = swap;
+        }
+}
+
+kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold, kg_fold_gap **out_gaps,
+                       size_t *out_count, kg_error *error) {
+    kg_folding f;
+    kg_fold outside = *fold;
+    kg_origami_state *after = NULL, *states[MOST_LAYERS] = {0};
+    bool *moves = NULL;
+    gaps list = {0};
+    outside.between[0] = outside.between[1] = -1;
+    kg_status status = kg_folding_create(state, &outside, &f, error);
+    if (status)
+        return status;
+    status = kg_folding_pick(&f, &outside, error);
+    if (!status)
+        status = kg_folding_finish(&f, &outside, &after, &moves, error);
+    if (!status)
+        status = try_gaps(state, &outside, &f.axis, after, moves, &list, states);
+    for (size_t i = 0; i < MOST_LAYERS; i++)
+        kg_state_destroy(states[i]);
+    kg_state_destroy(after);
+    free(moves);
+    kg_folding_clear(&f);
+    if (status) {
+        free(list.items);
+        return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
+    }
+    sort_gaps(&list);
+    *out_gaps = list.items;
+    *out_count = list.count;
+    return KG_OK;
+}
