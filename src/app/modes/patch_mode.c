@@ -5,6 +5,7 @@
 #include "app/modes/patch_scene.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
+#include "app/tools/box.h"
 #include "app/tools/drag.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
@@ -114,8 +115,14 @@ static void handles(kg_app *app) {
         return;
     kg_area box = {fmin(from.x, e->pointer.x), fmin(from.y, e->pointer.y),
                    fabs(e->pointer.x - from.x), fabs(e->pointer.y - from.y)};
-    kg_ui_canvas_rect(box, (kg_color){0.3F, 0.6F, 0.95F, 0.15F}, 0);
-    kg_ui_canvas_frame(box, (kg_color){0.4F, 0.7F, 1, 0.9F}, e->pane.scale, 0);
+    /* taking what it touches, the box is green, and its frame thinner for eyes that see no green */
+    bool touches = kg_box_touches(from, e->pointer);
+    kg_ui_canvas_rect(
+        box, touches ? (kg_color){0.3F, 0.85F, 0.5F, 0.12F} : (kg_color){0.3F, 0.6F, 0.95F, 0.15F},
+        0);
+    kg_ui_canvas_frame(
+        box, touches ? (kg_color){0.4F, 0.9F, 0.6F, 0.9F} : (kg_color){0.4F, 0.7F, 1, 0.9F},
+        (touches ? 1 : 2) * e->pane.scale, 0);
 }
 
 const kg_mode kg_patch_mode = {

@@ -3,6 +3,7 @@
  * use.
  */
 #include "app/text.h"
+#include "app/tools/box.h"
 #include "app/tools/corner.h"
 #include "app/tools/cutter.h"
 #include "app/tools/drag.h"
@@ -84,39 +85,6 @@ static void click(kg_editor *e, state *s, kg_vec2 px, bool toggle) {
     kg_editor_select(e, hits[s->depth].patch, toggle);
 }
 
-static bool in_box(kg_vec2 a, kg_vec2 b, kg_vec2 p) {
-    return p.x >= fmin(a.x, b.x) && p.x <= fmax(a.x, b.x) && p.y >= fmin(a.y, b.y) &&
-           p.y <= fmax(a.y, b.y);
-}
-
-/* Points of the selected patches, at that level; else patches whose geodesic begins, ends or has
- * its middle in the box. */
-static void select_box(kg_editor *e, kg_vec2 a, kg_vec2 b, bool add) {
-    const kg_model *m = kg_editor_model(e);
-    kg_vec2 at;
-    bool points = e->level == KG_LEVEL_POINTS && e->selection.patches.count > 0;
-    if (!add && points)
-        e->selection.points.count = 0;
-    else if (!add)
-        kg_editor_select_none(e);
-    for (size_t i = 0; i < m->patch_count; i++) {
-        const kg_model_patch *p = &m->patches[i];
-        const kg_solved_patch *s = kg_solution_patch(kg_editor_solution(e), i);
-        bool inside = false;
-        for (int k = 0; k <= 2 && !p->hidden && s->prepared; k++)
-            inside =
-                inside || (kg_pane_project(&e->pane, kg_patch_point(&s->patch, 0, 0.5 * k), &at) &&
-                           in_box(a, b, at));
-        if (!points && inside && !kg_editor_is_selected(e, p->id))
-            kg_editor_select(e, p->id, true);
-        for (size_t k = 0; points && kg_editor_shows_points(e, p->id) && k < p->input.point_count;
-             k++)
-            if (kg_pane_project(&e->pane, p->input.points[k], &at) && in_box(a, b, at) &&
-                !kg_editor_is_point_selected(e, (kg_point_ref){p->id, k}))
-                kg_editor_select_point(e, (kg_point_ref){p->id, k}, true);
-    }
-}
-
 /* ---- gestures --------------------------------------------------------------------------- */
 
 static void press(kg_editor *e, state *s, const kg_event *event) {
@@ -185,7 +153,7 @@ static void release(kg_editor *e, state *s, const kg_event *event) {
         click(e, s, event->position, toggle);
         break;
     case BOXING:
-        select_box(e, s->pressed, event->position, toggle);
+        kg_select_in_box(e, s->pressed, event->position, toggle);
         break;
     case DRAGGING_POINTS:
     case DRAGGING_EXTENT:
@@ -276,6 +244,10 @@ static const char *hint_now(const kg_editor *e) {
     if (s && s->gesture == DRAGGING_POINTS)
         return _("The point slides on the reference   Alt: screen plane   Ctrl: steps   Shift: "
                  "fine   Esc: back");
+    if (s && s->gesture == BOXING)
+        return kg_box_touches(s->pressed, e->pointer)
+                   ? _("Selects what the box touches   Drawn to the right: what lies wholly in it")
+                   : _("Selects what lies wholly in the box   Drawn to the left: what it touches");
     if (kg_editor_model(e)->patch_count == 0)
         return _("A: place a patch by four clicks   File › Reference…: a mesh to sculpt over");
     if (kg_corner_under(e, e->pointer).patch)
