@@ -15,8 +15,13 @@ static void keep(kg_overlay *o, kg_shape *shape, kg_style style) {
 void kg_overlay_line(kg_overlay *o, const kg_vec3 *points, size_t count, kg_style style) {
     uint32_t starts[2] = {0, (uint32_t)count};
     kg_lines lines = {points, starts, 1};
+    if (count >= 2)
+        kg_overlay_lines(o, &lines, style);
+}
+
+void kg_overlay_lines(kg_overlay *o, const kg_lines *lines, kg_style style) {
     kg_shape *shape;
-    if (count >= 2 && !kg_shape_from_lines(&lines, &shape, NULL))
+    if (!kg_shape_from_lines(lines, &shape, NULL))
         keep(o, shape, style);
 }
 

@@ -19,6 +19,7 @@ typedef struct kg_overlay {
 
 /* What cannot be shown for want of memory is left out. */
 void kg_overlay_line(kg_overlay *overlay, const kg_vec3 *points, size_t count, kg_style style);
+void kg_overlay_lines(kg_overlay *overlay, const kg_lines *lines, kg_style style);
 void kg_overlay_points(kg_overlay *overlay, const kg_vec3 *points, size_t count, kg_style style);
 void kg_overlay_surface(kg_overlay *overlay, const kg_surface *surface, kg_style style);
 /* A shape that somebody else owns. */

@@ -1,8 +1,7 @@
 /* Folded sheets. */
 #include "app/expect.h"
-#include "app/modes/mesh_scene.h"
 #include "app/modes/modes.h"
-#include "app/modes/sheet_state.h"
+#include "app/modes/sheet_scene.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
@@ -38,8 +37,8 @@ const kg_mode kg_sheet_mode = {
     .follow = kg_sheets_follow,
     .tick = kg_sheets_tick,
     .box = kg_sheets_box,
-    .compose = kg_mesh_scene_compose,
-    .drop = kg_mesh_scene_drop,
+    .compose = kg_sheet_scene_compose,
+    .drop = kg_sheet_scene_drop,
     .menu = {N_("Fold"), "view.frame_all"},
     .context = context_menu,
     .toolbar = toolbar,

@@ -1,0 +1,276 @@
+#include "app/modes/sheet_scene.h"
+
+#include "app/scenery.h"
+#include "base/array.h"
+
+#include <stdlib.h>
+
+/* Opacity of edges behind paper. */
+#define HIDDEN 0.1F
+
+static const kg_color ink = {0.1F, 0.1F, 0.12F, 1}, mark = {0.95F, 0.55F, 0.05F, 1},
+                      hover = {0.1F, 0.45F, 0.9F, 1};
+
+typedef enum paint { PAINT_PLAIN, PAINT_HOVERED, PAINT_MARKED, PAINT_COUNT } paint;
+
+/* Triangles or lines while they are put together. */
+typedef struct mesh {
+    struct {
+        kg_vec3 *items;
+        size_t count, capacity;
+    } points;
+    struct {
+        uint32_t *items;
+        size_t count, capacity;
+    } indices; /* of triangles, or where lines start */
+    bool failed;
+} mesh;
+
+static void mesh_clear(mesh *m) {
+    free(m->points.items);
+    free(m->indices.items);
+    *m = (mesh){0};
+}
+
+static void add_corner(mesh *m, kg_vec3 p) {
+    m->failed =
+        m->failed || !kg_push(&m->indices, (uint32_t)m->points.count) || !kg_push(&m->points, p);
+}
+
+static void add_triangle(mesh *m, kg_vec3 a, kg_vec3 b, kg_vec3 c) {
+    add_corner(m, a);
+    add_corner(m, b);
+    add_corner(m, c);
+}
+
+static void add_line(mesh *m, kg_vec3 a, kg_vec3 b) {
+    m->failed = m->failed || !kg_push(&m->indices, (uint32_t)m->points.count) ||
+                !kg_push(&m->points, a) || !kg_push(&m->points, b);
+}
+
+/* Takes the mesh over. What cannot be shown for want of memory is left out. */
+static void show_surface(mesh *m, kg_overlay *o, kg_style style) {
+    kg_surface s = {.vertex_count = m->points.count,
+                    .positions = m->points.items,
+                    .triangle_count = m->points.count / 3,
+                    .triangles = m->indices.items};
+    if (!m->failed)
+        kg_overlay_surface(o, &s, style);
+    mesh_clear(m);
+}
+
+static void show_lines(mesh *m, kg_overlay *o, kg_style style) {
+    if (!m->failed && m->points.count > 0 && kg_push(&m->indices, (uint32_t)m->points.count)) {
+        kg_lines lines = {m->points.items, m->indices.items, m->indices.count - 1};
+        kg_overlay_lines(o, &lines, style);
+    }
+    mesh_clear(m);
+}
+
+/* ---- paper ------------------------------------------------------------------------------- */
+
+static kg_color color_of(uint32_t rgb, double opacity) {
+    return (kg_color){(float)(rgb >> 16 & 255) / 255, (float)(rgb >> 8 & 255) / 255,
+                      (float)(rgb & 255) / 255, (float)opacity};
+}
+
+static int32_t next_half(const kg_sheets *s, int32_t half) {
+    return s->state->halves.items[half].next;
+}
+
+/* Layers of a folded edge are joined by a narrow strip, as thick as what lies between them. Its
+ * front is where the paper's is. */
+static void add_bend(mesh *m, const kg_sheets *s, int32_t half) {
+    int32_t twin = half ^ 1;
+    if (s->state->halves.items[twin].loop < 0 || half > twin)
+        return;
+    kg_vec3 a = s->drawn[half], b = s->drawn[next_half(s, half)], c = s->drawn[twin],
+            d = s->drawn[next_half(s, twin)];
+    if (kg_dist(a, d) + kg_dist(b, c) < 1e-6 * s->state->size)
+        return;
+    add_triangle(m, b, a, d);
+    add_triangle(m, b, d, c);
+}
+
+static void add_loop(mesh *m, const kg_sheets *s, int32_t loop) {
+    int32_t first = s->state->loops.items[loop].first, h = next_half(s, first);
+    add_bend(m, s, first);
+    for (int32_t next; (next = next_half(s, h)) != first; h = next) {
+        add_triangle(m, s->drawn[first], s->drawn[h], s->drawn[next]);
+        add_bend(m, s, h);
+    }
+    add_bend(m, s, h);
+}
+
+static paint paint_of(const kg_sheets *s, int32_t loop) {
+    return kg_sheets_is_marked(&s->loops, loop) ? PAINT_MARKED
+           : loop == s->hover_loop              ? PAINT_HOVERED
+                                                : PAINT_PLAIN;
+}
+
+static int32_t sheet_count(const kg_sheets *s) {
+    int32_t count = 0;
+    for (size_t i = 0; i < s->state->loops.count; i++)
+        if (s->state->loops.items[i].sheet >= count)
+            count = s->state->loops.items[i].sheet + 1;
+    return count;
+}
+
+static void show_paper(const kg_sheets *s, int32_t sheet, paint wanted, kg_overlay *o) {
+    mesh m = {0};
+    uint32_t front, back;
+    for (int32_t i = 0; (size_t)i < s->state->loops.count; i++)
+        if (s->state->loops.items[i].sheet == sheet && paint_of(s, i) == wanted)
+            add_loop(&m, s, i);
+    kg_origami_colours(s->origami, sheet, &front, &back);
+    kg_style style = kg_style_default(color_of(front, s->opacity));
+    style.back = color_of(back, 1);
+    if (wanted == PAINT_HOVERED)
+        style.highlight = (kg_color){hover.r, hover.g, hover.b, 0.2F};
+    if (wanted == PAINT_MARKED)
+        style.highlight = (kg_color){mark.r, mark.g, mark.b, 0.55F};
+    show_surface(&m, o, style);
+}
+
+/* ---- edges ------------------------------------------------------------------------------- */
+
+typedef enum line_kind { LINE_NONE, LINE_FLAT, LINE_STRONG } line_kind;
+
+/* Borders and what is bent are strong, creases that lie flat are thin. */
+static line_kind kind_of(const kg_sheets *s, size_t edge) {
+    const kg_paper_edge *e = &s->state->edges.items[edge];
+    const kg_half_edge *h = &s->state->halves.items[2 * edge];
+    if (h[0].loop < 0 && h[1].loop < 0)
+        return LINE_NONE;
+    if (e->kind == KG_PAPER_JOIN)
+        return LINE_NONE;
+    if (e->kind == KG_PAPER_BORDER)
+        return LINE_STRONG;
+    double bent = kg_dot(s->normals[h[0].loop], s->normals[h[1].loop]);
+    return bent < 1 - 1e-9 ? LINE_STRONG : LINE_FLAT;
+}
+
+/* An edge once, or in both of its layers when they are drawn apart. */
+static void add_edge(mesh *m, const kg_sheets *s, size_t edge) {
+    int32_t half = (int32_t)(2 * edge);
+    bool drawn = false;
+    for (int k = 0; k < 2; k++) {
+        if (s->state->halves.items[half + k].loop < 0)
+            continue;
+        kg_vec3 a = s->drawn[half + k], b = s->drawn[next_half(s, half + k)];
+        bool same = drawn && kg_dist(m->points.items[m->points.count - 1], a) +
+                                     kg_dist(m->points.items[m->points.count - 2], b) <
+                                 1e-6 * s->state->size;
+        if (!same)
+            add_line(m, a, b);
+        drawn = !m->failed;
+    }
+}
+
+static void show_edges(const kg_sheets *s, line_kind wanted, kg_overlay *o, kg_style style) {
+    mesh m = {0};
+    for (size_t i = 0; i < s->state->edges.count; i++)
+        if (kind_of(s, i) == wanted)
+            add_edge(&m, s, i);
+    show_lines(&m, o, style);
+}
+
+static void show_all_edges(const kg_sheets *s, kg_overlay *o) {
+    kg_style strong = kg_line_style(ink, 1.4F), flat = kg_line_style(ink, 1);
+    strong.hidden = s->opacity < 1 ? 0.6F : HIDDEN;
+    flat.color.a = 0.4F;
+    show_edges(s, LINE_FLAT, o, flat);
+    show_edges(s, LINE_STRONG, o, strong);
+}
+
+/* ---- marks ------------------------------------------------------------------------------- */
+
+static void show_edge(const kg_sheets *s, int32_t edge, kg_overlay *o, kg_color color) {
+    mesh m = {0};
+    if (edge < 0 || (size_t)edge >= s->state->edges.count)
+        return;
+    add_edge(&m, s, (size_t)edge);
+    kg_style style = kg_line_style(color, 4);
+    style.hidden = 0.4F;
+    show_lines(&m, o, style);
+}
+
+static void show_vertex(const kg_sheets *s, int32_t vertex, kg_overlay *o, kg_color color) {
+    kg_style rim = kg_style_default(ink), dot = kg_style_default(color);
+    rim.size_px = 12;
+    dot.size_px = 9;
+    rim.hidden = dot.hidden = 0.4F;
+    for (size_t h = 0; h < s->state->halves.count; h++)
+        if (s->state->halves.items[h].origin == vertex && s->state->halves.items[h].loop >= 0) {
+            kg_overlay_points(o, &s->drawn[h], 1, rim);
+            kg_overlay_points(o, &s->drawn[h], 1, dot);
+        }
+}
+
+static void show_marks(const kg_sheets *s, kg_overlay *o) {
+    show_edge(s, s->hover_edge, o, hover);
+    for (size_t i = 0; i < s->edges.count; i++)
+        show_edge(s, s->edges.items[i], o, mark);
+    show_vertex(s, s->hover_vertex, o, hover);
+    for (size_t i = 0; i < s->vertices.count; i++)
+        show_vertex(s, s->vertices.items[i], o, mark);
+}
+
+/* ---- the picture ------------------------------------------------------------------------- */
+
+void kg_sheet_scene_plain(const kg_sheets *s, kg_overlay *o) {
+    int32_t sheets = s->state ? sheet_count(s) : 0;
+    for (int32_t i = 0; i < sheets; i++)
+        for (int p = 0; p < PAINT_COUNT; p++)
+            show_paper(s, i, (paint)p, o);
+    if (s->state)
+        show_all_edges(s, o);
+}
+
+/* What stays on the graphics card until something else is shown. */
+typedef struct stage {
+    kg_overlay picture;
+    uint64_t shown; /* signature */
+} stage;
+
+static uint64_t mix(uint64_t hash, uint64_t value) {
+    return (hash ^ value) * 1099511628211u; /* FNV-1a, a word at a time */
+}
+
+static uint64_t mix_marks(uint64_t hash, const kg_sheet_marks *marks) {
+    for (size_t i = 0; i < marks->count; i++)
+        hash = mix(hash, (uint64_t)marks->items[i]);
+    return mix(hash, marks->count);
+}
+
+/* Differs for pictures that differ. */
+static uint64_t signature(const kg_editor *e, const kg_sheets *s) {
+    uint64_t hash = mix(mix(14695981039346656037u, s->revision), e->solved);
+    hash = mix_marks(mix_marks(mix_marks(hash, &s->loops), &s->edges), &s->vertices);
+    hash = mix(mix(mix(hash, (uint64_t)s->hover_loop), (uint64_t)s->hover_edge),
+               (uint64_t)s->hover_vertex);
+    return mix(hash, (uint64_t)(1000 * s->opacity));
+}
+
+kg_status kg_sheet_scene_compose(void **cache, const kg_editor *e, kg_overlay *o, kg_error *error) {
+    const kg_sheets *s = kg_sheets_of(e);
+    if (!*cache && !(*cache = calloc(1, sizeof(stage))))
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    stage *st = *cache;
+    if (st->shown != signature(e, s)) {
+        kg_overlay_clear(&st->picture);
+        kg_sheet_scene_plain(s, &st->picture);
+        if (s->state)
+            show_marks(s, &st->picture);
+        st->shown = signature(e, s);
+    }
+    for (size_t i = 0; i < st->picture.items.count; i++)
+        kg_overlay_item(o, st->picture.items.items[i].shape, st->picture.items.items[i].style);
+    return KG_OK;
+}
+
+void kg_sheet_scene_drop(void *cache) {
+    stage *st = cache;
+    kg_overlay_clear(&st->picture);
+    free(st);
+}
