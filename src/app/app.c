@@ -33,6 +33,7 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, const kg
 
 void kg_app_clear(kg_app *app) {
     kg_export_stop(app);
+    kg_loading_stop(app);
     kg_net_view_clear(&app->net_view);
     kg_scenery_destroy(app->stage);
     kg_ui_destroy();
@@ -168,7 +169,7 @@ void kg_app_event(kg_app *app, const kg_event *event, double seconds) {
     serve_request(app);
     kg_editor_update(e);
     kg_ui_end();
-    if (!app->framed && e->pane.area.width > 1) {
+    if (!app->framed && !app->load_job && e->pane.area.width > 1) {
         kg_pane_fit(&e->pane, kg_editor_box(e, false));
         app->framed = true;
     }

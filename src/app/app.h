@@ -28,9 +28,15 @@ typedef struct kg_app {
     kg_axes_ball axes;
     kg_net_view net_view;
     struct kg_export_job *export_job; /* NULL: nothing is being written */
-    double autosaved;                 /* clock of the last autosave */
-    bool has_autosave;                /* its file is there */
-    bool framed;                      /* the camera was set to the document at least once */
+    struct kg_load_job *load_job;     /* NULL: nothing is being read */
+    struct {
+        struct kg_load_job **items;
+        size_t count, capacity;
+    } given_up;                /* jobs that have not noticed yet */
+    uint64_t reference_loaded; /* of editor.reference_asked */
+    double autosaved;          /* clock of the last autosave */
+    bool has_autosave;         /* its file is there */
+    bool framed;               /* the camera was set to the document at least once */
     bool quit;
     bool busy;   /* work goes on in the background: look again soon */
     bool redraw; /* the picture is no longer what is shown */

@@ -24,7 +24,7 @@ typedef struct kg_browser_entry {
 } kg_browser_entry;
 
 typedef struct kg_dialogs {
-    bool open_export, open_progress;
+    bool open_export, open_progress, open_loading;
     bool open_palette, open_help, open_settings, open_rename, open_unsaved, open_browser,
         open_error, open_recovery, open_overwrite, open_menu; /* to be opened in this frame */
     kg_purpose purpose;                                       /* of the browser */

@@ -258,24 +258,9 @@ size_t kg_editor_hits(const kg_editor *e, kg_vec2 px, kg_hit *out_hits, size_t m
 
 /* ---- files ------------------------------------------------------------------------------ */
 
-static void clear_backdrop(kg_backdrop *b) {
-    kg_mesh_destroy(b->mesh);
-    kg_mesh_query_destroy(b->query);
-    b->mesh = NULL;
-    b->query = NULL;
-    b->revision++;
-}
-
 void kg_editor_load_reference(kg_editor *e) {
-    kg_error error;
-    clear_backdrop(&e->backdrop);
-    kg_status status = kg_document_reference(e->document, &e->backdrop.mesh, &error);
-    if (!status && e->backdrop.mesh)
-        status = kg_mesh_query_create(e->backdrop.mesh, &e->backdrop.query, &error);
-    if (status) {
-        clear_backdrop(&e->backdrop);
-        kg_editor_say(e, KG_WARNING, _("The reference cannot be shown: %s"), error.message);
-    }
+    kg_backdrop_clear(&e->backdrop);
+    e->reference_asked++;
 }
 
 kg_status kg_editor_take(kg_editor *e, kg_document *document, const char *path, kg_error *error) {
@@ -330,12 +315,14 @@ static bool ends_in(const char *path, const char *ending) {
     return n >= m && strcasecmp(path + n - m, ending) == 0;
 }
 
+const char *kg_editor_home(const char *path) {
+    return ends_in(path, ".fold") || ends_in(path, ".cp") ? NULL : path;
+}
+
 kg_status kg_editor_open(kg_editor *e, const char *path, kg_error *error) {
     kg_document *document;
     kg_status status = kg_document_read(path, &document, error);
-    bool is_pattern =
-        ends_in(path, ".fold") || ends_in(path, ".cp"); /* saving writes no such file */
-    return status ? status : kg_editor_take(e, document, is_pattern ? NULL : path, error);
+    return status ? status : kg_editor_take(e, document, kg_editor_home(path), error);
 }
 
 kg_status kg_editor_save(kg_editor *e, const char *path, kg_error *error) {
@@ -388,7 +375,7 @@ void kg_editor_clear(kg_editor *e) {
     if (e->mode_state)
         e->mode->destroy(e->mode_state);
     kg_history_clear(&e->history);
-    clear_backdrop(&e->backdrop);
+    kg_backdrop_clear(&e->backdrop);
     kg_surfaces_clear(&e->surfaces);
     kg_document_destroy(e->document);
     kg_settings_clear(&e->settings);

@@ -9,6 +9,7 @@
 #ifndef KG_APP_EDITOR_H
 #define KG_APP_EDITOR_H
 
+#include "app/backdrop.h"
 #include "app/history.h"
 #include "app/mending.h"
 #include "app/pane.h"
@@ -60,13 +61,6 @@ typedef enum kg_request {
     KG_REQUEST_ERROR /* the message is worth a dialog */
 } kg_request;
 
-/* The reference mesh as loaded. */
-typedef struct kg_backdrop {
-    kg_mesh *mesh; /* NULL: none, or it could not be read */
-    kg_mesh_query *query;
-    uint64_t revision; /* another number for every mesh loaded */
-} kg_backdrop;
-
 typedef struct kg_editor {
     kg_document *document; /* never NULL, always solved */
     const kg_mode *mode;   /* of the document's kind */
@@ -84,9 +78,11 @@ typedef struct kg_editor {
     kg_level level;
     kg_point_ref hover_point; /* patch 0: none */
     int64_t hover_patch;      /* 0: none; in whatever view it is hovered */
+    int64_t hover_seam[2];    /* patches that meet under the pointer, see tools/seam.h; 0: none */
 
     kg_surfaces surfaces; /* of the patches as solved */
     kg_backdrop backdrop;
+    uint64_t reference_asked; /* counts the references that the model named */
     kg_pane pane;
     kg_settings settings;
     double patch_opacity;
@@ -131,7 +127,9 @@ kg_status kg_editor_take(kg_editor *editor, kg_document *document, const char *p
 /* Saves document and history; `path` NULL: where it came from. */
 kg_status kg_editor_save(kg_editor *editor, const char *path, kg_error *error) KG_CHECKED;
 bool kg_editor_is_modified(const kg_editor *editor);
-/* Loads the reference that the model names; a mesh that cannot be read is a message. */
+/* The file that saving a document of this file writes to; NULL: it is a pattern, to be imported. */
+const char *kg_editor_home(const char *path);
+/* Asks for the reference that the model names; it is loaded by the app around the editor. */
 void kg_editor_load_reference(kg_editor *editor);
 
 /* ---- changes ---------------------------------------------------------------------------- */

@@ -52,8 +52,9 @@ static kg_status set_reference(kg_editor *e, const json_t *a, kg_error *error) {
         e->request = KG_REQUEST_REFERENCE;
         return KG_OK;
     }
-    if (file && (status = kg_mesh_read(file, &mesh, error))) /* told of at once, nothing changed */
-        return status;
+    bool is_read = json_is_true(json_object_get(a, "checked")); /* by the app, on a thread */
+    if (file && !is_read && (status = kg_mesh_read(file, &mesh, error)))
+        return status; /* told of at once, nothing changed */
     kg_mesh_destroy(mesh);
     if ((status = kg_editor_begin(e, N_("Set reference"), error)))
         return status;

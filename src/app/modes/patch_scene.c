@@ -9,9 +9,6 @@
 
 enum { RULING_COUNT = 16, RULING_STEPS = 48, CURVE_SAMPLES = 65 };
 
-/* Edges of the reference bent by more than 35 degrees are edges of the object. */
-#define REFERENCE_CREASE 0.61
-
 typedef struct patch_shapes {
     int64_t id;
     uint64_t revision;
@@ -128,21 +125,13 @@ static void drop_unused(patch_stage *stage) {
 
 static kg_status follow_reference(patch_stage *stage, const kg_backdrop *backdrop,
                                   kg_error *error) {
-    kg_surface surface;
     if (stage->reference_revision == backdrop->revision)
         return KG_OK;
     kg_shape_destroy(stage->reference);
     stage->reference = NULL;
     stage->reference_revision = backdrop->revision;
-    if (!backdrop->mesh)
-        return KG_OK;
-    kg_status status = kg_surface_from_mesh(backdrop->mesh, 0, backdrop->mesh->face_count,
-                                            REFERENCE_CREASE, &surface, error);
-    if (status)
-        return status;
-    status = kg_shape_from_surface(&surface, &stage->reference, error);
-    kg_surface_destroy(&surface);
-    return status;
+    return backdrop->mesh ? kg_shape_from_surface(&backdrop->surface, &stage->reference, error)
+                          : KG_OK;
 }
 
 /* ---- what belongs to selected patches ----------------------------------------------------- */

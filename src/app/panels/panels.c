@@ -24,6 +24,7 @@ void kg_panels_show(kg_app *app) {
     kg_panel_palette(app);
     kg_panel_help(app);
     kg_panel_settings(app);
+    kg_panel_loading(app);
     kg_panel_prompts(app);
 }
 

@@ -29,6 +29,7 @@ void kg_panel_settings(kg_app *app);
 void kg_panel_browser(kg_app *app);
 void kg_panel_prompts(kg_app *app);
 void kg_panel_export(kg_app *app);
+void kg_panel_loading(kg_app *app);
 
 /* Asks what to export as, starting from the last choice among nets or meshes. */
 void kg_export_ask(kg_app *app, bool mesh);
@@ -37,12 +38,21 @@ void kg_export_to(kg_app *app, const char *path);
 /* Gives up what is being written. */
 void kg_export_stop(kg_app *app);
 
+/* Opens a document in the place of the one there is; makes a mesh the reference. What goes wrong is
+ * shown. Large files are read in the background. */
+void kg_loading_open(kg_app *app, const char *path);
+void kg_loading_reference(kg_app *app, const char *path);
+/* Gives up what is being read. */
+void kg_loading_stop(kg_app *app);
+
 /* Asks what to do about unsaved changes, if there are any, then goes on with `purpose`. */
 void kg_dialogs_go_on(kg_app *app, kg_purpose purpose);
 /* Opens the browser. */
 void kg_dialogs_browse(kg_app *app, kg_purpose purpose);
 /* Does what a file was chosen for. */
 void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path);
+/* Puts the document's file first in the list of recent ones. */
+void kg_dialogs_remember(kg_app *app);
 void kg_dialogs_fail(kg_app *app, const kg_error *error);
 void kg_dialogs_clear(kg_dialogs *dialogs);
 

@@ -22,8 +22,7 @@ static void write_settings(kg_app *app) {
         kg_editor_say(&app->editor, KG_WARNING, "%s", error.message);
 }
 
-/* Puts the document's file first in the list of recent ones. */
-static void remember(kg_app *app) {
+void kg_dialogs_remember(kg_app *app) {
     char whole[KG_PATH_SIZE], folder[KG_PATH_SIZE / 2];
     const char *path = app->editor.path;
     int n = !path || path[0] == '/'         ? 0
@@ -37,31 +36,26 @@ static void remember(kg_app *app) {
 
 static void go_on(kg_app *app, kg_purpose purpose) {
     kg_error error;
-    kg_status status = KG_OK;
-    kg_recovery_forget(app);
     switch (purpose) {
     case KG_FOR_NEW:
-        status = kg_editor_new(&app->editor, &error);
+        if (kg_editor_new(&app->editor, &error))
+            kg_dialogs_fail(app, &error);
         app->framed = false;
         break;
     case KG_FOR_OPEN:
         kg_dialogs_browse(app, KG_FOR_OPEN);
         break;
     case KG_FOR_OPEN_PATH:
-        status = kg_editor_open(&app->editor, app->dialogs.path, &error);
-        app->framed = app->framed && status;
-        if (!status)
-            remember(app);
+        kg_loading_open(app, app->dialogs.path);
         break;
     case KG_FOR_QUIT:
+        kg_recovery_forget(app);
         write_settings(app);
         app->quit = true;
         break;
     default:
         break;
     }
-    if (status)
-        kg_dialogs_fail(app, &error);
 }
 
 void kg_dialogs_go_on(kg_app *app, kg_purpose purpose) {
@@ -70,20 +64,6 @@ void kg_dialogs_go_on(kg_app *app, kg_purpose purpose) {
         app->dialogs.open_unsaved = true;
     else
         go_on(app, purpose);
-}
-
-static void set_reference(kg_app *app, const char *path) {
-    kg_error error;
-    json_t *arguments = json_pack("{s:s}", "file", path);
-    const kg_model *m = kg_editor_model(&app->editor);
-    bool had = m && m->reference.file;
-    if (!arguments)
-        return;
-    if (kg_command_run(kg_command_find("reference.set"), &app->editor, arguments, &error))
-        kg_dialogs_fail(app, &error);
-    else if (!had)
-        kg_pane_fit(&app->editor.pane, kg_editor_box(&app->editor, false));
-    json_decref(arguments);
 }
 
 void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
@@ -97,7 +77,7 @@ void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
     case KG_FOR_SAVE:
         status = kg_editor_save(&app->editor, path, &error);
         if (!status) {
-            remember(app);
+            kg_dialogs_remember(app);
             kg_recovery_forget(app);
             /* `path` may have been the editor's own, which is another text now */
             kg_editor_say(&app->editor, KG_WARNING, _("Saved %s"), app->editor.path);
@@ -107,7 +87,7 @@ void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
         app->dialogs.after_unsaved = KG_FOR_NOTHING;
         break;
     case KG_FOR_REFERENCE:
-        set_reference(app, path);
+        kg_loading_reference(app, path);
         return;
     default:
         kg_export_to(app, path);

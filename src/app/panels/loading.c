@@ -1,0 +1,192 @@
+/* Opening documents and references: small ones at once, large ones while a dialog shows. */
+#include "app/commands/commands.h"
+#include "app/load_job.h"
+#include "app/panels/panels.h"
+#include "app/text.h"
+#include "base/array.h"
+#include "document/document.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+/* Files up to these sizes, bytes, are read within a few frames, without a dialog that flashes. */
+enum { SMALL_DOCUMENT = 32 << 10, SMALL_MESH = 1 << 20 };
+
+static bool is_small(const char *path, off_t limit) {
+    struct stat info;
+    return !path || stat(path, &info) != 0 || info.st_size <= limit;
+}
+
+/* ---- what comes of it -------------------------------------------------------------------- */
+
+static kg_status take_document(kg_app *app, kg_document *document, const char *path,
+                               kg_error *error) {
+    kg_status status =
+        kg_editor_take(&app->editor, document, kg_editor_home(path) ? path : NULL, error);
+    if (!status) {
+        app->framed = false;
+        kg_dialogs_remember(app);
+    }
+    return status;
+}
+
+/* Makes a mesh that was read the model's reference. */
+static kg_status set_reference(kg_app *app, const char *path, kg_error *error) {
+    json_t *arguments = json_pack("{s:s, s:b}", "file", path, "checked", 1);
+    const kg_model *model = kg_editor_model(&app->editor);
+    bool had = model && model->reference.file;
+    if (!arguments)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status =
+        kg_command_run(kg_command_find("reference.set"), &app->editor, arguments, error);
+    app->framed = app->framed && (had || status);
+    json_decref(arguments);
+    return status;
+}
+
+static void cannot_show(kg_editor *e, const kg_error *error) {
+    kg_editor_say(e, KG_WARNING, _("The reference cannot be shown: %s"), error->message);
+}
+
+static void finish(kg_app *app) {
+    kg_editor *e = &app->editor;
+    kg_load_job *job = app->load_job;
+    kg_document *document = NULL;
+    kg_backdrop backdrop = {0};
+    kg_error reference_error, error;
+    bool is_document = kg_load_job_is_document(job), is_asked = kg_load_job_path(job) != NULL;
+    char path[KG_PATH_SIZE];
+    snprintf(path, sizeof path, "%s", is_asked ? kg_load_job_path(job) : "");
+    app->load_job = NULL;
+    app->redraw = true;
+    kg_status status = kg_load_job_finish(job, &document, &backdrop, &reference_error, &error);
+    if (status && !is_asked) {
+        cannot_show(e, &error);
+        return;
+    }
+    if (!status && is_document)
+        status = take_document(app, document, path, &error);
+    else if (!status && is_asked)
+        status = set_reference(app, path, &error);
+    if (status) {
+        kg_dialogs_fail(app, &error);
+    } else if (is_asked || app->reference_loaded == e->reference_asked) {
+        app->reference_loaded = e->reference_asked;
+        kg_backdrop_take(&e->backdrop, &backdrop);
+        if (reference_error.message[0])
+            cannot_show(e, &reference_error);
+    }
+    kg_backdrop_clear(&backdrop);
+}
+
+/* Lets the thread end by itself. */
+static void give_up(kg_app *app) {
+    kg_load_job_cancel(app->load_job);
+    if (!kg_push(&app->given_up, app->load_job))
+        kg_load_job_destroy(app->load_job);
+    app->load_job = NULL;
+    kg_editor_say(&app->editor, KG_WARNING, "%s", _("Nothing was loaded."));
+}
+
+static void drop_ended(kg_app *app) {
+    size_t kept = 0;
+    for (size_t i = 0; i < app->given_up.count; i++)
+        if (kg_load_job_is_done(app->given_up.items[i]))
+            kg_load_job_destroy(app->given_up.items[i]);
+        else
+            app->given_up.items[kept++] = app->given_up.items[i];
+    app->given_up.count = kept;
+}
+
+void kg_loading_stop(kg_app *app) {
+    kg_load_job_destroy(app->load_job);
+    for (size_t i = 0; i < app->given_up.count; i++)
+        kg_load_job_destroy(app->given_up.items[i]);
+    free(app->given_up.items);
+    app->load_job = NULL;
+    app->given_up.items = NULL;
+    app->given_up.count = app->given_up.capacity = 0;
+}
+
+/* ---- beginning --------------------------------------------------------------------------- */
+
+static void began(kg_app *app, kg_status status, bool at_once, const kg_error *error) {
+    if (status)
+        kg_dialogs_fail(app, error);
+    else if (at_once)
+        finish(app);
+    else
+        app->dialogs.open_loading = true;
+}
+
+void kg_loading_open(kg_app *app, const char *path) {
+    kg_error error;
+    if (app->load_job)
+        give_up(app);
+    kg_status status = kg_load_job_document(path, KG_EDITOR_CHORD, &app->load_job, &error);
+    began(app, status, is_small(path, SMALL_DOCUMENT), &error);
+}
+
+void kg_loading_reference(kg_app *app, const char *path) {
+    kg_error error;
+    if (app->load_job)
+        give_up(app);
+    if (!kg_editor_model(&app->editor)) {
+        if (set_reference(app, path, &error)) /* which says why not */
+            kg_dialogs_fail(app, &error);
+        return;
+    }
+    kg_status status = kg_load_job_reference(app->editor.document, path, &app->load_job, &error);
+    began(app, status, is_small(path, SMALL_MESH), &error);
+}
+
+/* Loads the reference of a model that was opened, or that a step gave another one. */
+static void follow_model(kg_app *app) {
+    const kg_editor *e = &app->editor;
+    const kg_model *model = kg_editor_model(e);
+    kg_error error;
+    if (app->load_job || app->reference_loaded == e->reference_asked)
+        return;
+    app->reference_loaded = e->reference_asked;
+    if (!model || !model->reference.file)
+        return;
+    char *path = kg_document_reference_path(e->document);
+    kg_status status = kg_load_job_reference(e->document, NULL, &app->load_job, &error);
+    began(app, status, is_small(path, SMALL_MESH), &error);
+    free(path);
+}
+
+/* ---- the dialog -------------------------------------------------------------------------- */
+
+static void show(kg_app *app) {
+    const char *const steps[] = {_("Reading"), _("Working out the patches"),
+                                 _("Reading the reference")};
+    kg_load_job *job = app->load_job;
+    if (app->dialogs.open_loading)
+        kg_ui_popup_open(_("Loading"));
+    app->dialogs.open_loading = false;
+    if (!kg_ui_modal_begin(_("Loading"), 420))
+        return;
+    if (job) {
+        kg_load_step step = kg_load_job_step(job);
+        if (kg_load_job_path(job))
+            kg_ui_text_wrapped(kg_load_job_path(job));
+        kg_ui_progress((step + 0.5) / KG_LOAD_STEP_COUNT, steps[step]);
+        if (kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE))
+            give_up(app);
+    }
+    if (!app->load_job)
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+}
+
+void kg_panel_loading(kg_app *app) {
+    drop_ended(app);
+    if (app->load_job && kg_load_job_is_done(app->load_job))
+        finish(app);
+    follow_model(app);
+    show(app);
+    app->busy = app->busy || app->load_job;
+}

@@ -1,0 +1,126 @@
+"""Large files are read in the background. usage: test_loading.py KATAGAMI"""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import script  # noqa: E402
+
+PROGRAM = pathlib.Path(sys.argv[1]).resolve()
+SIDE = 200  # of the grid on the sphere: two triangles a cell, 3 MB
+PATCHES = 400
+ADD = ('command patch.add {"points": [[0,-40,0],[0,-20,30],[0,20,30],[0,40,0]], '
+       '"extent": [-60,60]}')
+
+
+def write_mesh(path):
+    lines = []
+    for i in range(SIDE):
+        for k in range(SIDE):
+            a, b = 2 * math.pi * i / SIDE, math.pi * ((k + 0.5) / SIDE - 0.5)
+            lines.append(f"v {100 * math.cos(a) * math.cos(b):.5f} "
+                         f"{100 * math.sin(a) * math.cos(b):.5f} {100 * math.sin(b):.5f}")
+    for i in range(SIDE):
+        for k in range(SIDE - 1):
+            a, b = i * SIDE + k + 1, (i + 1) % SIDE * SIDE + k + 1
+            lines += [f"f {a} {b} {b + 1}", f"f {a} {b + 1} {a + 1}"]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def write_model(path, reference=None):
+    patches = []
+    for i in range(PATCHES):
+        x, y = i % 20 * 50, i // 20 * 90
+        patches.append({"id": i + 1, "extent": [-20, 20],
+                        "points": [[x, y - 40, 0], [x, y - 20, 30], [x, y + 20, 30],
+                                   [x, y + 40, 0]]})
+    model = {"katagami": 1, "kind": "patches", "patches": patches}
+    if reference:
+        model["reference"] = {"file": reference}
+    path.write_text(json.dumps(model), encoding="utf-8")
+
+
+def run(folder, *lines):
+    text = folder / "script.txt"
+    text.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    environment = dict(os.environ, HOME=str(folder), LANGUAGE="C", XDG_CONFIG_HOME=str(folder),
+                       XDG_STATE_HOME=str(folder))
+    done = subprocess.run([PROGRAM, "edit", "--headless", "--script", text], cwd=folder, text=True,
+                          env=environment, capture_output=True, check=False)
+    if "EGL" in done.stderr or "OpenGL" in done.stderr:
+        raise script.Skip("nothing can be drawn here")
+    assert done.returncode == 0, done.stderr
+
+
+def in_folder(test):
+    def inner():
+        with tempfile.TemporaryDirectory() as name:
+            test(pathlib.Path(name))
+    return inner
+
+
+@in_folder
+def test_a_large_reference_comes_after_a_while(folder):
+    write_mesh(folder / "ball.obj")
+    run(folder, "drop ball.obj", "expect shown Cancel", "expect undo steps 0", "wait",
+        "expect reference", "expect undo steps 1", "key A", "expect tool place", "key Esc",
+        "key Ctrl+Z", "wait", "expect undo steps 0", "key Ctrl+Y", "expect shown Cancel", "wait",
+        "expect reference", "save model.katagami", "key Ctrl+N", "open model.katagami", "wait",
+        "expect reference")
+    assert json.loads((folder / "model.katagami").read_text())["reference"]["file"] == "ball.obj"
+
+
+@in_folder
+def test_escape_gives_up_what_is_being_read(folder):
+    write_mesh(folder / "ball.obj")
+    write_model(folder / "many.katagami")
+    run(folder, ADD, "save one.katagami",
+        "drop ball.obj", "key Esc", "expect message Nothing was loaded", ADD, "expect patches 2",
+        "wait", "expect undo steps 2", "save",
+        "drop many.katagami", "click \"Cancel\"", "expect message Nothing was loaded", "wait",
+        "expect patches 2", "expect title one.katagami — katagami",
+        # given up and begun again, while the first thread may still be at work
+        "drop many.katagami", "key Esc", "drop many.katagami", "key Esc", "drop ball.obj", "wait",
+        "expect reference", "expect patches 2", "drop many.katagami", "click \"Discard\"",
+        "key Esc")
+
+
+@in_folder
+def test_a_large_model_comes_with_its_reference(folder):
+    write_mesh(folder / "ball.obj")
+    write_model(folder / "many.katagami", "ball.obj")
+    pictures = []
+    for i in range(2):
+        run(folder, "drop many.katagami", "expect shown Cancel", "expect patches 0", "wait",
+            f"expect patches {PATCHES}", "expect reference", "expect unmodified",
+            "expect title many.katagami — katagami", f"shot {i}.png")
+        pictures.append((folder / f"{i}.png").read_bytes())
+    assert pictures[0] == pictures[1]
+
+
+@in_folder
+def test_what_cannot_be_read_changes_nothing(folder):
+    (folder / "bad.obj").write_text("v 1 2 x\n" * 200000)
+    write_model(folder / "bad.katagami")
+    (folder / "bad.katagami").write_text((folder / "bad.katagami").read_text()[:-2])
+    write_model(folder / "alone.katagami", "nowhere.obj")
+    run(folder, ADD, "drop bad.obj", "wait", "expect shown Close", "key Esc", "expect undo steps 1",
+        "save one.katagami", "drop bad.katagami", "wait", "expect shown Close", "key Esc",
+        "expect patches 1", "expect title one.katagami — katagami",
+        "drop alone.katagami", "wait", f"expect patches {PATCHES}", "expect message nowhere.obj")
+
+
+@in_folder
+def test_work_survives_an_opening_that_fails_after_it_was_given_up(folder):
+    (folder / "bad.katagami").write_text("{")
+    run(folder, ADD, "autosave 2", "wait 121", "drop bad.katagami", 'click "Discard"',
+        "expect shown Close", "key Esc", "expect patches 1")
+    assert list((folder / "katagami").glob("autosave-*.katagami"))
+
+
+sys.exit(script.run(globals()))
