@@ -127,6 +127,14 @@ kg_status kg_scenery_picture(kg_scenery *stage, const kg_editor *e, int width, i
     return status;
 }
 
+kg_status kg_scenery_thumbnail(kg_scenery *stage, const kg_overlay *overlay,
+                               const kg_camera *camera, int width, int height, kg_image *out_image,
+                               kg_error *error) {
+    kg_scene scene = {.items = overlay->items.items, .item_count = overlay->items.count};
+    return kg_renderer_picture(stage->renderer, &scene, camera, width, height, PICTURE_SAMPLES,
+                               out_image, error);
+}
+
 kg_status kg_scenery_create(kg_scenery **out_stage, kg_error *error) {
     kg_scenery *stage = calloc(1, sizeof *stage);
     if (!stage)

@@ -21,6 +21,11 @@ kg_status kg_scenery_draw(kg_scenery *stage, const kg_editor *editor, int height
 kg_status kg_scenery_picture(kg_scenery *stage, const kg_editor *editor, int width, int height,
                              kg_image *out_image, kg_error *error) KG_CHECKED;
 
+/* Other things in the same way, small and without background. */
+kg_status kg_scenery_thumbnail(kg_scenery *stage, const kg_overlay *overlay,
+                               const kg_camera *camera, int width, int height, kg_image *out_image,
+                               kg_error *error) KG_CHECKED;
+
 /* Lines so many layout units wide. */
 kg_style kg_line_style(kg_color color, float width);
 

@@ -44,6 +44,35 @@ static void eye(const pen *p) {
     dot(p, 8, 8, 2.2);
 }
 
+/* Triangles to the right or to the left (`way` -1) from x on. */
+static void wedge(const pen *p, double x, double way) {
+    kg_vec2 corners[3] = {at(p, x, 3.5), at(p, x + 7 * way, 8), at(p, x, 12.5)};
+    kg_ui_canvas_polygon(corners, 3, p->color);
+}
+
+static void player_icon(const pen *p, kg_icon icon) {
+    switch (icon) {
+    case KG_ICON_PLAY:
+        wedge(p, 5, 1);
+        break;
+    case KG_ICON_STOP:
+        line(p, 5.5, 3.5, 5.5, 12.5), line(p, 10.5, 3.5, 10.5, 12.5);
+        break;
+    case KG_ICON_FIRST:
+        wedge(p, 12, -1), line(p, 4, 3.5, 4, 12.5);
+        break;
+    case KG_ICON_PREVIOUS:
+        PATH(p, false, {10, 3.5}, {5.5, 8}, {10, 12.5});
+        break;
+    case KG_ICON_NEXT:
+        PATH(p, false, {6, 3.5}, {10.5, 8}, {6, 12.5});
+        break;
+    default:
+        wedge(p, 4, 1), line(p, 12, 3.5, 12, 12.5);
+        break;
+    }
+}
+
 static void tool_icon(const pen *p, kg_icon icon) {
     switch (icon) {
     case KG_ICON_SELECT:
@@ -124,6 +153,21 @@ void kg_icon_draw(kg_icon icon, kg_area area, kg_color color) {
         break;
     case KG_ICON_FILE:
         PATH(&p, true, {4, 2}, {9.5, 2}, {12.5, 5}, {12.5, 14}, {4, 14});
+        break;
+    case KG_ICON_ADD:
+        line(&p, 8, 3, 8, 13), line(&p, 3, 8, 13, 8);
+        break;
+    case KG_ICON_COPY:
+        PATH(&p, true, {2.5, 5.5}, {10, 5.5}, {10, 13.5}, {2.5, 13.5});
+        PATH(&p, false, {5.5, 2.5}, {13, 2.5}, {13, 11});
+        break;
+    case KG_ICON_PLAY:
+    case KG_ICON_STOP:
+    case KG_ICON_FIRST:
+    case KG_ICON_PREVIOUS:
+    case KG_ICON_NEXT:
+    case KG_ICON_LAST:
+        player_icon(&p, icon);
         break;
     default:
         tool_icon(&p, icon);

@@ -10,6 +10,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cfloat>
 #include <cstring>
 #include <string>
@@ -42,6 +43,9 @@ struct adapter {
 };
 
 extern adapter ui;
+
+/* Deletes pictures that no frame shows any more. */
+void delete_pictures();
 
 /* Notes the characters of a text. A whole Japanese font takes a second to draw, so the font holds
  * those that were seen and grows when others come. */

@@ -227,6 +227,7 @@ kg_status kg_ui_create(kg_error *error) {
 void kg_ui_destroy(void) {
     if (!ImGui::GetCurrentContext())
         return;
+    delete_pictures();
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();
     ui = adapter();
@@ -250,6 +251,7 @@ void kg_ui_set_clipboard(void *user, const char *(*get)(void *),
 
 void kg_ui_begin(const kg_event *event, int width_px, int height_px, double seconds) {
     ImGuiIO &io = ImGui::GetIO();
+    delete_pictures();
     io.DisplaySize = ImVec2((float)width_px, (float)height_px);
     io.DeltaTime = seconds > 1e-4 ? (float)seconds : 1e-4f;
     feed(event);

@@ -137,6 +137,8 @@ bool kg_ui_check(const char *label, bool *value);
 bool kg_ui_radio(const char *label, bool on);
 bool kg_ui_choice(const char *label, const char *const *items, int count, int *index);
 bool kg_ui_selectable(const char *label, bool selected);
+/* The same as high as wanted, to draw into; buttons may lie on it. */
+bool kg_ui_row(const char *label, bool selected, double height, kg_area *out_area);
 void kg_ui_progress(double fraction, const char *text);
 void kg_ui_tooltip(const char *text); /* for the widget before it */
 
@@ -176,6 +178,14 @@ typedef enum kg_icon {
     KG_ICON_WARNING,
     KG_ICON_FOLDER,
     KG_ICON_FILE,
+    KG_ICON_PLAY,
+    KG_ICON_STOP,
+    KG_ICON_FIRST,
+    KG_ICON_PREVIOUS,
+    KG_ICON_NEXT,
+    KG_ICON_LAST,
+    KG_ICON_ADD,
+    KG_ICON_COPY,
     KG_ICON_COUNT
 } kg_icon;
 /* `size` 0: as high as text. */
@@ -208,11 +218,20 @@ void kg_ui_canvas_circle(kg_vec2 center, double radius_px, kg_color color, doubl
 void kg_ui_canvas_disc(kg_vec2 center, double radius_px, kg_color color);
 void kg_ui_canvas_rect(kg_area area, kg_color color, double rounding_px);
 void kg_ui_canvas_frame(kg_area area, kg_color color, double width_px, double rounding_px);
+/* Text from its upper left corner on. */
+void kg_ui_canvas_label(kg_vec2 at, kg_color color, const char *text);
 /* Text with its middle at `at`. */
 void kg_ui_canvas_text(kg_vec2 at, kg_color color, const char *text);
 /* The same turned by `angle` (x towards y), `at` being the middle of a box as high as capitals. */
 void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double capital_px, kg_color color,
                               const char *text);
+/* Pictures live on the graphics card until they are destroyed, at the latest with the user
+ * interface. */
+uint32_t kg_ui_picture_create(const kg_image *image);
+void kg_ui_picture_destroy(uint32_t picture); /* 0: none */
+void kg_ui_canvas_picture(kg_area area, uint32_t picture);
+/* The colour of text, fainter where it is disabled. */
+kg_color kg_ui_text_ink(void);
 /* Lets kg_ui_find find something drawn. */
 void kg_ui_name(const char *label, kg_area area);
 /* An area of the window that takes the mouse, to draw into and to interact with. */

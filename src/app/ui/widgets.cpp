@@ -152,6 +152,15 @@ bool kg_ui_selectable(const char *label, bool selected) {
     return shown(label,
                  ImGui::Selectable(see(label), selected, ImGuiSelectableFlags_DontClosePopups));
 }
+bool kg_ui_row(const char *label, bool selected, double height, kg_area *out_area) {
+    bool pressed = ImGui::Selectable(see(label), selected,
+                                     ImGuiSelectableFlags_DontClosePopups |
+                                         ImGuiSelectableFlags_AllowItemOverlap,
+                                     ImVec2(0, px(height)));
+    *out_area = item_area();
+    ui.canvas = ImGui::GetWindowDrawList();
+    return shown(label, pressed);
+}
 void kg_ui_progress(double fraction, const char *text) {
     ImGui::ProgressBar((float)fraction, ImVec2(-FLT_MIN, 0), see(text));
 }
@@ -297,6 +306,12 @@ void kg_ui_canvas_text(kg_vec2 at, kg_color color, const char *text) {
     ImVec2 size = ImGui::CalcTextSize(see(text));
     ui.canvas->AddText(ImVec2((float)at.x - size.x / 2, (float)at.y - size.y / 2), packed(color),
                        text);
+}
+void kg_ui_canvas_label(kg_vec2 at, kg_color color, const char *text) {
+    ui.canvas->AddText(vec(at), packed(color), see(text));
+}
+kg_color kg_ui_text_ink(void) {
+    return text_color();
 }
 kg_area kg_ui_canvas_area(const char *label, double width, double height) {
     ImVec2 left = ImGui::GetContentRegionAvail();
