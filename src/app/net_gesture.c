@@ -139,6 +139,14 @@ static void hover(kg_net_view *v, kg_editor *e, kg_vec2 px) {
     e->hover_point = (kg_point_ref){0};
     e->hover_patch =
         v->hover_part >= 0 && kg_editor_model(e) ? part_of(v, v->hover_part)->source : 0;
+    e->hover_seam[0] = e->hover_seam[1] = 0;
+    if (v->hover_join < 0 || !kg_editor_model(e))
+        return;
+    const kg_net_join *join = &kg_net_state_picture(v->state)->net.net->joins[v->hover_join];
+    e->hover_seam[0] = join->sources[0];
+    e->hover_seam[1] = join->sources[1];
+    if (e->hover_patch != join->sources[1])
+        e->hover_patch = join->sources[0];
 }
 
 static void press(kg_net_view *v, const kg_event *event) {

@@ -1,6 +1,7 @@
 /* Assertions of scripts about patch models. */
 #include "app/modes/patch_expect.h"
 #include "app/expect.h"
+#include "app/tools/seam.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -112,6 +113,19 @@ static kg_status expect_flag(const kg_editor *e, const char *words, kg_error *er
     return kg_expect_yes(is, wanted, flag, error);
 }
 
+/* The two patches whose seam is lit, in any order; 0 0: none is. */
+static kg_status expect_seam(const kg_editor *e, const char *words, kg_error *error) {
+    long long a, b;
+    if (sscanf(words, "%lld %lld", &a, &b) != 2)
+        return kg_fail(error, KG_ERR_INPUT, "expect seam PATCH PATCH");
+    const int64_t *seam = e->hover_seam;
+    bool lit = kg_seam_is_hovered(e, seam[0], seam[1]);
+    if (lit ? kg_seam_is_hovered(e, a, b) : a == 0 && b == 0)
+        return KG_OK;
+    return kg_fail(error, KG_ERR_INPUT, "seam: %lld %lld", lit ? (long long)seam[0] : 0,
+                   lit ? (long long)seam[1] : 0);
+}
+
 kg_status kg_patch_expect(const kg_editor *e, const char *w, kg_error *error) {
     if (kg_expect_begins(&w, "patches"))
         return kg_expect_count("patches", kg_editor_model(e)->patch_count, w, error);
@@ -135,5 +149,7 @@ kg_status kg_patch_expect(const kg_editor *e, const char *w, kg_error *error) {
         return expect_flag(e, w, error);
     if (kg_expect_begins(&w, "hovered"))
         return kg_expect_count("hovered patch", (size_t)e->hover_patch, w, error);
+    if (kg_expect_begins(&w, "seam"))
+        return expect_seam(e, w, error);
     return kg_expect_unknown(w, error);
 }

@@ -2,6 +2,7 @@
 
 #include "app/panels/net_fill.h"
 #include "app/scenery.h"
+#include "app/tools/seam.h"
 #include "app/ui/ui.h"
 #include "base/array.h"
 #include "net/clash.h"
@@ -223,12 +224,9 @@ static void draw_handle(const kg_net_view *v) {
     kg_ui_canvas_circle(handle, 6 * v->scale, (kg_color){1, 1, 1, 1}, 1.5 * v->scale);
 }
 
-/* Both sides of the join under the pointer, and what leads from one to the other. */
-static void draw_join(const kg_net_view *v, kg_polyline *line) {
-    if (v->hover_join < 0)
-        return;
+/* Both sides of a join, and what leads from one to the other. */
+static void draw_join(const kg_net_view *v, const kg_net_join *join, kg_polyline *line) {
     const kg_net *net = kg_net_state_picture(v->state)->net.net;
-    const kg_net_join *join = &net->joins[v->hover_join];
     kg_vec2 middles[2];
     int shown = 0;
     for (int s = 0; s < 2; s++) {
@@ -256,6 +254,18 @@ static void draw_join(const kg_net_view *v, kg_polyline *line) {
         snprintf(number, sizeof number, "%d", join->number);
         kg_ui_canvas_disc(middles[s], 10 * v->scale, lit);
         kg_ui_canvas_text(middles[s], (kg_color){1, 1, 1, 1}, number);
+    }
+}
+
+/* The join under the pointer, or those of the two patches that meet under it in the model. */
+static void draw_hovered_joins(const kg_net_view *v, const kg_editor *e, kg_polyline *line) {
+    const kg_net *net = kg_net_state_picture(v->state)->net.net;
+    for (size_t i = 0; i < net->join_count; i++) {
+        const kg_net_join *join = &net->joins[i];
+        bool lit_here = v->hover_join == (int)i;
+        if (lit_here ||
+            (v->hover_join < 0 && kg_seam_is_hovered(e, join->sources[0], join->sources[1])))
+            draw_join(v, join, line);
     }
 }
 
@@ -346,7 +356,7 @@ void kg_net_draw_pages(const kg_net_view *v, const kg_editor *e) {
         if (p->net.net->parts[i].pinned || (int)i == v->moved_part)
             draw_pin(v, i);
     if (pages > 0) {
-        draw_join(v, &line);
+        draw_hovered_joins(v, e, &line);
         draw_handle(v);
         name_all(v);
     }

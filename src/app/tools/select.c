@@ -8,6 +8,7 @@
 #include "app/tools/cutter.h"
 #include "app/tools/drag.h"
 #include "app/tools/gizmo.h"
+#include "app/tools/seam.h"
 #include "app/tools/tool.h"
 #include "app/tools/tools.h"
 #include "base/array.h"
@@ -66,6 +67,9 @@ static void hover(kg_editor *e, kg_vec2 px) {
     kg_hit hit;
     e->hover_point = point_under(e, px);
     e->hover_patch = !e->hover_point.patch && kg_editor_hits(e, px, &hit, 1) > 0 ? hit.patch : 0;
+    e->hover_seam[0] = e->hover_seam[1] = 0;
+    if (!e->hover_point.patch)
+        kg_seam_hover(e, px);
 }
 
 /* ---- clicks ----------------------------------------------------------------------------- */
@@ -229,6 +233,8 @@ static void draw(const kg_editor *e, kg_overlay *overlay) {
     if (s->gesture == DRAGGING_POINTS || s->gesture == DRAGGING_EXTENT)
         kg_legal_band_draw(e, overlay);
     kg_cutter_preview_draw(&s->cutters, e, next_cutter(e, s), overlay);
+    if (!next_cutter(e, s))
+        kg_seam_draw(e, overlay);
 }
 
 bool kg_select_box_now(const kg_editor *e, kg_vec2 *out_from) {
