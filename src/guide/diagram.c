@@ -260,16 +260,39 @@ static int place_of(const kg_origami_state *s, kg_vec3 point, kg_vec3 *out_end) 
     return isfinite(least) ? KG_GOAL_EDGE : KG_GOAL_POINT;
 }
 
-static void add_measure(kg_diagram *d, kg_vec3 corner, kg_vec3 point) {
+/* How many loops are seen at a point, one on the other. */
+static int count_seen(const kg_diagram *d, const kg_moment *m, kg_vec2 point) {
+    const kg_origami_state *s = m->topology;
+    int count = 0;
+    for (size_t i = 0; i < s->loops.count; i++) {
+        int32_t first = s->loops.items[i].first, h = first;
+        bool left = true, right = true;
+        do {
+            int32_t next = s->halves.items[h].next;
+            kg_vec2 a = seen(d, m->positions[s->halves.items[h].origin]),
+                    b = seen(d, m->positions[s->halves.items[next].origin]);
+            double c = kg_cross2(kg_sub2(b, a), kg_sub2(point, a));
+            left &= c > 0;
+            right &= c < 0;
+            h = next;
+        } while (h != first);
+        count += left || right;
+    }
+    return count;
+}
+
+/* On the side of the edge where less paper is. */
+static void add_measure(kg_diagram *d, const kg_moment *moment, kg_vec3 corner, kg_vec3 point) {
     kg_diagram_length m = {
         .from = seen(d, corner), .to = seen(d, point), .length = kg_dist(corner, point)};
-    kg_vec2 along = kg_sub2(m.to, m.from), middle = kg_lerp2(m.from, m.to, 0.5),
-            centre = kg_lerp2(d->box.lo, d->box.hi, 0.5);
+    kg_vec2 along = kg_sub2(m.to, m.from), middle = kg_lerp2(m.from, m.to, 0.5);
     double length = kg_len2(along);
     if (!(length > 0) || d->measure_count == KG_DIAGRAM_MEASURES)
         return;
     m.outwards = kg_v2(along.y / length, -along.x / length);
-    if (kg_dot2(m.outwards, kg_sub2(middle, centre)) < 0)
+    kg_vec2 aside = kg_scale2(m.outwards, 0.02 * moment->topology->size);
+    if (count_seen(d, moment, kg_add2(middle, aside)) >
+        count_seen(d, moment, kg_sub2(middle, aside)))
         m.outwards = kg_scale2(m.outwards, -1);
     d->measures[d->measure_count++] = m;
 }
@@ -296,7 +319,7 @@ static void find_line(kg_diagram *d, const plan *p, bool measured) {
     for (int k = 0; k < 2; k++) {
         d->axis[k] = seen(d, ends[k]);
         if (measured && place_of(m->layers, ends[k], &corner) == KG_GOAL_EDGE)
-            add_measure(d, corner, ends[k]);
+            add_measure(d, m, corner, ends[k]);
     }
 }
 
@@ -313,7 +336,7 @@ static void find_goal(kg_diagram *d, const plan *p, const kg_fold *fold) {
     if (d->goal != KG_GOAL_CORNER)
         d->marks[d->mark_count++] = seen(d, fold->points[1]);
     if (d->goal == KG_GOAL_EDGE)
-        add_measure(d, corner, fold->points[1]);
+        add_measure(d, &p->moment, corner, fold->points[1]);
 }
 
 /* ---- arrows ----------------------------------------------------------------------------- */

@@ -14,8 +14,8 @@
 #define OUTLINE_WIDTH 0.3
 #define CREASE_WIDTH 0.12
 #define FOLD_WIDTH 0.3
-/* How far beside a line it has to be seen: farther than layers are shifted. */
-#define BESIDE 2.5
+/* How far beside a line its facet has to be seen. */
+#define BESIDE 0.8
 static const double valley_dashes[] = {2.2, 1.3}, mountain_dashes[] = {3, 1, 0.25, 1, 0.25, 1};
 
 static kg_vec2 flat(kg_vec3 p) {
@@ -247,48 +247,52 @@ static void stroke_side(cairo_t *cr, kg_side_look look, kg_vec2 a, kg_vec2 b, kg
     cairo_stroke(cr);
 }
 
-/* Is a point in view of a facet seen, or does one painted later hide it? */
-static bool is_seen(const kg_figure *f, size_t place, kg_vec2 p) {
+/* The facet seen at a point of those painted from `place` on; -1: none. */
+static int32_t seen_at(const kg_figure *f, size_t place, kg_vec2 p) {
     kg_vec2 corners[64];
-    for (size_t i = place + 1; i < f->facets.count; i++) {
+    int32_t top = -1;
+    for (size_t i = place; i < f->facets.count; i++) {
         const kg_facet *a = &f->facets.items[f->order[i]];
         if (a->count > sizeof corners / sizeof *corners)
             continue;
         outline(f, a, corners);
         if (kg_convex_holds(corners, a->count, p, 0))
-            return false;
+            top = f->order[i];
     }
-    return true;
+    return top;
 }
 
-/* Lines of folds that lie just under an edge of a higher layer are seen on one side only and would
- * vanish under that edge: painted again, on a strip of their facet's colour. */
-static void repeat_folds(const kg_figure *f, cairo_t *cr, double scale, kg_vec2 offset,
-                         kg_vec2 origin) {
-    for (size_t i = 0; i < f->facets.count; i++) {
-        const kg_facet *a = &f->facets.items[f->order[i]];
-        for (size_t k = 0; k < a->count; k++) {
-            kg_side_look look = (kg_side_look)f->looks.items[a->first + k];
-            kg_vec2 p = flat(f->points.items[a->first + k]),
-                    q = flat(f->points.items[a->first + (k + 1) % a->count]);
-            kg_vec2 side = kg_sub2(q, p), in = kg_v2(-side.y, side.x);
-            double length = kg_len2(side);
-            if ((look != KG_SIDE_VALLEY && look != KG_SIDE_MOUNTAIN) || !(length > 0) ||
-                !is_seen(f, i,
-                         kg_add2(kg_lerp2(p, q, 0.5), kg_scale2(in, BESIDE / scale / length))))
-                continue;
-            p = kg_v2(offset.x + scale * p.x, offset.y - scale * p.y);
-            q = kg_v2(offset.x + scale * q.x, offset.y - scale * q.y);
-            set_colour(cr, a->colour);
-            cairo_set_dash(cr, NULL, 0, 0);
-            cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
-            cairo_set_line_width(cr, 2.5 * OUTLINE_WIDTH);
-            cairo_move_to(cr, p.x, p.y);
-            cairo_line_to(cr, q.x, q.y);
-            cairo_stroke(cr);
-            stroke_side(cr, look, p, q, origin);
-        }
-    }
+/* A line to fold along that lies just under the edge of a higher layer would vanish there, although
+ * the facet beside it is seen. It is painted again, at the height of that edge, on a strip of the
+ * facet's colour. */
+static void repeat_fold(const kg_figure *f, cairo_t *cr, size_t place, size_t k, double scale,
+                        kg_vec2 offset, kg_vec2 origin) {
+    const kg_facet *a = &f->facets.items[f->order[place]];
+    kg_side_look look = (kg_side_look)f->looks.items[a->first + k];
+    kg_vec2 p = flat(f->points.items[a->first + k]),
+            q = flat(f->points.items[a->first + (k + 1) % a->count]);
+    kg_vec2 side = kg_sub2(q, p), middle = kg_lerp2(p, q, 0.5);
+    double length = kg_len2(side);
+    if ((look != KG_SIDE_VALLEY && look != KG_SIDE_MOUNTAIN) || !(length > 0))
+        return;
+    kg_vec2 in = kg_v2(-side.y / length, side.x / length);
+    int32_t top = seen_at(f, place, middle);
+    double lift = top < 0 ? 0 : depth(&f->facets.items[top], middle) - depth(a, middle);
+    kg_vec2 shift = kg_scale2(f->shear, fmax(lift, 0));
+    if (seen_at(f, place, kg_add2(middle, kg_scale2(in, BESIDE / scale + kg_len2(shift)))) !=
+        f->order[place])
+        return;
+    p = kg_add2(p, shift), q = kg_add2(q, shift);
+    p = kg_v2(offset.x + scale * p.x, offset.y - scale * p.y);
+    q = kg_v2(offset.x + scale * q.x, offset.y - scale * q.y);
+    set_colour(cr, a->colour);
+    cairo_set_dash(cr, NULL, 0, 0);
+    cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_width(cr, 2.5 * OUTLINE_WIDTH);
+    cairo_move_to(cr, p.x, p.y);
+    cairo_line_to(cr, q.x, q.y);
+    cairo_stroke(cr);
+    stroke_side(cr, look, p, q, origin);
 }
 
 void kg_figure_paint(const kg_figure *f, cairo_t *cr, double scale, kg_vec2 offset,
@@ -324,7 +328,9 @@ void kg_figure_paint(const kg_figure *f, cairo_t *cr, double scale, kg_vec2 offs
         }
         cairo_restore(cr);
     }
-    repeat_folds(f, cr, scale, offset, start);
+    for (size_t i = 0; i < f->facets.count; i++)
+        for (size_t k = 0; k < f->facets.items[f->order[i]].count; k++)
+            repeat_fold(f, cr, i, k, scale, offset, start);
     cairo_set_dash(cr, NULL, 0, 0);
 #undef PLACED
 }

@@ -48,6 +48,7 @@ typedef struct kg_figure {
         size_t *items; /* the end of each piece in `corners` */
         size_t count, capacity;
     } pieces;
+    kg_vec2 shear;  /* by which points were moved, times their height above what they lie on */
     int32_t *order; /* of painting, from the back; after kg_figure_sort */
 } kg_figure;
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 /* mm on the page from one layer to the next, and of all layers together at most. */
-#define LAYER_GAP 0.55
-#define MOST_GAP 4.5
+#define LAYER_GAP 0.4
+#define MOST_GAP 3.5
 /* How a layer is shifted on the page, over its height: to the upper right. */
 static const kg_vec2 shear = {0.75, 0.9};
 
@@ -136,7 +136,7 @@ static kg_status build(const view *v, kg_figure *f) {
 kg_status kg_diagram_paint(const kg_diagram *d, cairo_t *cr, kg_vec2 at, double scale,
                            kg_error *error) {
     view v = {.diagram = d};
-    kg_figure figure = {0};
+    kg_figure figure = {.shear = d->oblique ? kg_v2(0, 0) : shear};
     kg_status status = kg_moment_create(d->origami, d->step, &v.moment, error);
     if (status)
         return status;
