@@ -1,13 +1,28 @@
 #include "origami/search.h"
 
+#include "base/array.h"
+
+#include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct decision {
-    int32_t bit;
-    bool second; /* the other value was tried as well */
+/*
+ * A component, or a part that became independent of the others by a decision, while its ways are
+ * counted: one of its bits gets both values in turn, and the ways of each are the product of the
+ * ways of the parts that what remains falls into.
+ */
+typedef struct part {
+    size_t from, to;  /* its bits among the members */
+    size_t next, end; /* its own parts, where the next one starts and the last one ends */
     size_t trail;
-} decision;
+    int32_t bit;  /* to decide */
+    int tried;    /* values */
+    bool first;   /* the first way is still to be kept */
+    bool more;    /* there may be more than `ways` */
+    bool most;    /* there may be more than `product` */
+    double limit; /* count no further */
+    double ways, product;
+} part;
 
 typedef struct search {
     const kg_clause *clauses;
@@ -16,9 +31,16 @@ typedef struct search {
     int32_t *uses;
     int32_t *trail; /* bits in the order they got their values */
     size_t trail_count, done;
-    int32_t *members; /* of the component at hand */
-    size_t member_count;
-    decision *decisions;
+    int32_t *members;   /* bits of the component at hand, those of each part side by side */
+    int32_t *rank;      /* of each bit, its place among the members at first */
+    int32_t *ends;      /* of a part that starts at a place among the members, its end */
+    int32_t *found;     /* members as parts, until they are copied */
+    size_t *seen, look; /* of each bit, the last look for parts that has found it */
+    signed char *first; /* values of the first way */
+    struct {
+        part *items;
+        size_t count, capacity;
+    } parts;
     double steps;
 } search;
 
@@ -135,15 +157,16 @@ static void undo(search *s, size_t trail) {
     s->done = trail;
 }
 
-/* ---- one component ---------------------------------------------------------------------- */
+/* ---- parts ------------------------------------------------------------------------------ */
 
-/* Bits that hang together by clauses that are not settled, in breadth. */
-static void find_component(search *s, int32_t start, bool *seen) {
-    s->member_count = 0;
-    s->members[s->member_count++] = start;
-    seen[start] = true;
-    for (size_t m = 0; m < s->member_count; m++) {
-        int32_t bit = s->members[m];
+/* Bits that hang together with `bit` by clauses that are not settled, in breadth: into `found` from
+ * `count` on. Returns how many are in there then. */
+static size_t find_part(search *s, int32_t bit, size_t count) {
+    size_t next = count;
+    s->found[count++] = bit;
+    s->seen[bit] = s->look;
+    for (; next < count; next++) {
+        bit = s->found[next];
         for (size_t i = s->starts[bit]; i < s->starts[bit + 1]; i++) {
             const kg_clause *c = &s->clauses[s->uses[i]];
             bool sum = c->literals[3] >= 0, low = false, high = false;
@@ -155,70 +178,108 @@ static void find_component(search *s, int32_t start, bool *seen) {
                 continue;
             for (int k = 0; k < 3 + sum; k++) {
                 int32_t other = c->literals[k] >> 1;
-                if (s->values[other] != 0 || seen[other])
+                if (s->values[other] != 0 || s->seen[other] == s->look)
                     continue;
-                seen[other] = true;
-                s->members[s->member_count++] = other;
+                s->seen[other] = s->look;
+                s->found[count++] = other;
             }
         }
     }
+    return count;
 }
 
-/* Goes back to the last decision with a value left to try. False when there is none. */
-static bool backtrack(search *s, size_t *depth) {
-    while (*depth > 0) {
-        decision *d = &s->decisions[*depth - 1];
-        undo(s, d->trail);
-        if (d->second) {
-            (*depth)--;
+/* Puts the free bits of a part in front, by the parts they fall into, each with its earliest bit
+ * first: so the first way that is found does not depend on how parts are found. */
+static void split(search *s, part *p) {
+    size_t count = 0, taken = 0;
+    s->look++;
+    for (size_t i = p->from; i < p->to; i++) {
+        int32_t bit = s->members[i];
+        if (s->values[bit] != 0 || s->seen[bit] == s->look)
+            continue;
+        size_t start = count, least = count;
+        count = find_part(s, bit, count);
+        for (size_t k = start; k < count; k++)
+            least = s->rank[s->found[k]] < s->rank[s->found[least]] ? k : least;
+        bit = s->found[least];
+        s->found[least] = s->found[start], s->found[start] = bit;
+        s->ends[p->from + start] = (int32_t)(p->from + count);
+    }
+    p->next = p->from;
+    p->end = p->from + count;
+    /* those with a value now, or in another part, come behind */
+    for (size_t i = p->from; i < p->to; i++)
+        if (s->values[s->members[i]] != 0)
+            s->found[count + taken++] = s->members[i];
+    memcpy(s->members + p->from, s->found, (count + taken) * sizeof *s->found);
+}
+
+static bool open_part(search *s, size_t from, size_t to, double limit, bool first) {
+    return kg_push(&s->parts, ((part){.from = from,
+                                      .to = to,
+                                      .trail = s->trail_count,
+                                      .bit = s->members[from],
+                                      .limit = limit,
+                                      .first = first}));
+}
+
+/* All parts of a part are counted. */
+static void take_ways(search *s, part *p) {
+    for (size_t i = p->trail; p->first && i < s->trail_count; i++)
+        s->first[s->trail[i]] = s->values[s->trail[i]];
+    p->first = false;
+    p->more |= p->most;
+    p->ways = fmin(p->ways + p->product, DBL_MAX);
+}
+
+/* Counts the ways of the component at hand, which is `count` members, and keeps the first. 0 when
+ * there is none, or when the steps are over before there is one: then `*exact` is false. */
+static kg_status count_ways(search *s, size_t count, const kg_layer_report *r, bool *exact,
+                            double *out_ways) {
+    *out_ways = 0;
+    if (!open_part(s, 0, count, r->most_states, true))
+        return KG_ERR_MEMORY;
+    while (s->parts.count > 0) {
+        part *p = &s->parts.items[s->parts.count - 1];
+        if (p->next < p->end && p->product > 0) {
+            size_t from = p->next;
+            p->next = (size_t)s->ends[from];
+            if (!open_part(s, from, p->next, (p->limit - p->ways) / p->product, p->first))
+                return KG_ERR_MEMORY;
             continue;
         }
-        d->second = true;
-        assign(s, 2 * d->bit + 1);
-        if (propagate(s))
-            return true;
-    }
-    return false;
-}
-
-/* Counts the ways of the component at hand; `first` holds the first one's values in the order of
- * the members. Negative when the steps are over before there is one. */
-static double count_component(search *s, const kg_layer_report *r, signed char *first,
-                              bool *exact) {
-    double count = 0;
-    size_t depth = 0, next = 0, start = s->trail_count;
-    for (bool going = true; going;) {
-        while (next < s->member_count && s->values[s->members[next]] != 0)
-            next++;
-        if (next < s->member_count) {
-            if (s->steps++ > r->most_steps) {
-                *exact = false;
-                undo(s, start);
-                return count > 0 ? count : -1;
+        if (p->tried > 0 && p->product > 0)
+            take_ways(s, p);
+        undo(s, p->trail);
+        bool over = s->steps > r->most_steps,
+             enough = p->tried < 2 && ((p->ways > 0 && p->ways >= p->limit) || over);
+        if (enough || p->tried == 2) {
+            bool more = p->more || enough;
+            *out_ways = p->ways;
+            if (--s->parts.count > 0) {
+                part *whole = &s->parts.items[s->parts.count - 1];
+                whole->product = fmin(whole->product * *out_ways, DBL_MAX);
+                whole->most |= more;
+                whole->more |= over;
+            } else {
+                *exact &= !more;
             }
-            s->decisions[depth++] = (decision){s->members[next], false, s->trail_count};
-            assign(s, 2 * s->members[next]);
-            if (propagate(s))
-                continue;
-        } else {
-            for (size_t i = 0; count == 0 && i < s->member_count; i++)
-                first[i] = s->values[s->members[i]];
-            if (++count >= r->most_states && depth > 0) {
-                *exact = false;
-                break;
-            }
+            continue;
         }
-        going = backtrack(s, &depth);
-        next = 0;
+        s->steps += p->tried == 0;
+        assign(s, 2 * p->bit + p->tried++);
+        p->product = propagate(s);
+        p->next = p->end = 0;
+        p->most = false;
+        if (p->product > 0)
+            split(s, p);
     }
-    undo(s, start);
-    return count;
+    return KG_OK;
 }
 
 /* ---- all -------------------------------------------------------------------------------- */
 
-static kg_status search_all(search *s, const int32_t *links, size_t bits, bool *seen,
-                            signed char *first, kg_layer_report *r) {
+static kg_status search_all(search *s, const int32_t *links, size_t bits, kg_layer_report *r) {
     for (size_t i = 0; i < bits; i++)
         if (s->values[i] != 0)
             s->trail[s->trail_count++] = (int32_t)i;
@@ -231,14 +292,22 @@ static kg_status search_all(search *s, const int32_t *links, size_t bits, bool *
     for (size_t i = 0; i < bits; i++) {
         if (s->values[i] != 0 || links[i] >> 1 != (int32_t)i)
             continue;
-        find_component(s, (int32_t)i, seen);
-        double count = count_component(s, r, first, &r->exact);
-        if (count <= 0)
-            return count == 0 ? KG_ERR_INPUT : KG_ERR_CANCELLED;
-        states *= count;
+        s->look++;
+        size_t count = find_part(s, (int32_t)i, 0);
+        for (size_t k = 0; k < count; k++) {
+            s->members[k] = s->found[k];
+            s->rank[s->members[k]] = (int32_t)k;
+        }
+        double ways;
+        kg_status status = count_ways(s, count, r, &r->exact, &ways);
+        if (status)
+            return status;
+        if (ways == 0)
+            return r->exact ? KG_ERR_INPUT : KG_ERR_CANCELLED;
+        states = fmin(states * ways, DBL_MAX);
         r->components++;
-        for (size_t k = 0; k < s->member_count; k++)
-            assign(s, 2 * s->members[k] + (first[k] < 0));
+        for (size_t k = 0; k < count; k++)
+            assign(s, 2 * s->members[k] + (s->first[s->members[k]] < 0));
         s->done = s->trail_count;
     }
     r->states = states;
@@ -252,20 +321,25 @@ kg_status kg_search(kg_clauses *clauses, const int32_t *links, size_t bits, sign
                 .values = values,
                 .trail = malloc((bits + 1) * sizeof *s.trail),
                 .members = malloc((bits + 1) * sizeof *s.members),
-                .decisions = malloc((bits + 1) * sizeof *s.decisions)};
-    bool *seen = calloc(bits + 1, sizeof *seen);
-    signed char *first = malloc(bits + 1);
+                .rank = malloc((bits + 1) * sizeof *s.rank),
+                .ends = malloc((bits + 1) * sizeof *s.ends),
+                .found = malloc((bits + 1) * sizeof *s.found),
+                .seen = calloc(bits + 1, sizeof *s.seen),
+                .first = malloc(bits + 1)};
     kg_status status = KG_ERR_MEMORY;
-    if (s.trail && s.members && s.decisions && seen && first)
+    if (s.trail && s.members && s.rank && s.ends && s.found && s.seen && s.first)
         status = index_uses(&s, clauses, bits);
     if (!status)
-        status = search_all(&s, links, bits, seen, first, report);
+        status = search_all(&s, links, bits, report);
     free(s.starts);
     free(s.uses);
     free(s.trail);
     free(s.members);
-    free(s.decisions);
-    free(seen);
-    free(first);
+    free(s.rank);
+    free(s.ends);
+    free(s.found);
+    free(s.seen);
+    free(s.first);
+    free(s.parts.items);
     return status;
 }
