@@ -108,6 +108,8 @@ KG_API void kg_document_set_open(kg_document *document, double angle);
  * documents take no notice. KG_ERR_INPUT: there are not so many. */
 KG_API kg_status kg_document_set_step(kg_document *document, size_t step,
                                       kg_error *error) KG_CHECKED;
+/* How far the fold after these is under way, in [0, 1]; 0 at first. */
+KG_API void kg_document_set_fraction(kg_document *document, double fraction);
 
 KG_API size_t kg_document_issue_count(const kg_document *document);
 KG_API const kg_issue *kg_document_issue(const kg_document *document, size_t index);
@@ -155,8 +157,9 @@ typedef void (*kg_group_color)(size_t group, float out_rgba[4]);
 KG_API kg_status kg_document_mesh(const kg_document *document, kg_group_color color,
                                   kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
 
-/* Writes the surface as kg_mesh_write does; a card as glTF with its folding as an animation, and
- * with the ending .fold its crease pattern; sheets as .fold with all steps, as .cp their crease
+/* Writes the surface as kg_mesh_write does; cards and sheets as glTF with their folding as an
+ * animation (of sheets in the middle of a fold: without); a card with the ending .fold as its
+ * crease pattern; sheets as .fold with all steps, as .cp their crease
  * pattern. */
 KG_API kg_status kg_document_export(const kg_document *document, const char *path,
                                     kg_group_color color, kg_error *error) KG_CHECKED;

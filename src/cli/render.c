@@ -15,6 +15,7 @@ static const kg_option options[] = {
     {"view", 0, true, "NAME", "front, back, left, right, top, bottom or iso (iso)"},
     {"open", 0, true, "DEG", "how far a card is open: 0 closed, 90 standing, 180 flat (90)"},
     {"step", 0, true, "N", "sheets after so many folds (all of them)"},
+    {"fraction", 0, true, "F", "sheets in the middle of the fold after these, 0 to 1 (0)"},
     {"reference", 0, true, "OPACITY", "how opaque the reference is, 0 to 1 (the model's own)"},
     {"samples", 0, true, "N", "N x N samples for each pixel (2)"},
 };
@@ -32,6 +33,7 @@ typedef struct picture {
     double opacity; /* of the reference; below 0: the model's own */
     double open_deg;
     double step; /* below 0: the last */
+    double fraction;
 } picture;
 
 /* What is drawn: shapes to be destroyed afterwards, and the items that show them. */
@@ -209,7 +211,7 @@ static int read_picture(const kg_arguments *a, picture *out) {
     const char *size = kg_arguments_get(a, "size"), *view = kg_arguments_get(a, "view");
     double samples = 2;
     char rest;
-    *out = (picture){1200, 800, 2, KG_VIEW_ISO, -1, 90, -1};
+    *out = (picture){1200, 800, 2, KG_VIEW_ISO, -1, 90, -1, 0};
     if (size && (sscanf(size, "%dx%d%c", &out->width, &out->height, &rest) != 2 || out->width < 1 ||
                  out->height < 1 || out->width > 16384 || out->height > 16384))
         return kg_command_misuse("render", "--size is WxH in pixels, not %s", size);
@@ -218,6 +220,7 @@ static int read_picture(const kg_arguments *a, picture *out) {
     if (!kg_arguments_number(a, "reference", 0, 1, &out->opacity) ||
         !kg_arguments_number(a, "open", 0, 180, &out->open_deg) ||
         !kg_arguments_number(a, "step", 0, 1e6, &out->step) ||
+        !kg_arguments_number(a, "fraction", 0, 1, &out->fraction) ||
         !kg_arguments_number(a, "samples", 1, 8, &samples))
         return KG_EXIT_USAGE;
     out->samples = (int)samples;
@@ -244,6 +247,7 @@ int kg_command_render(int argc, char **argv) {
     if (!status && wanted.step >= 0)
         status = kg_document_set_step(document, (size_t)wanted.step, &error);
     if (!status) {
+        kg_document_set_fraction(document, wanted.fraction);
         kg_document_set_open(document, wanted.open_deg * acos(-1.0) / 180);
         kg_card_warn(document, "render");
         status = draw(document, &wanted, path, &error);

@@ -188,6 +188,11 @@ kg_status kg_document_set_step(kg_document *d, size_t step, kg_error *error) {
     return KG_OK;
 }
 
+void kg_document_set_fraction(kg_document *d, double fraction) {
+    if (d->folded)
+        d->folded->fraction = fraction;
+}
+
 kg_status kg_document_solve(kg_document *d, double chord, kg_error *error) {
     if (d->card)
         return kg_card_solve(d->card, error);

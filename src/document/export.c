@@ -29,6 +29,20 @@ static kg_status export_fold(const kg_document *d, const char *path, kg_error *e
     return status;
 }
 
+/* Sheets are folded fold by fold. */
+static kg_status export_folding(const kg_document *d, const char *path, kg_error *error) {
+    kg_mesh *mesh;
+    kg_mesh_motion *motion;
+    kg_status status = kg_folded_motion(d->folded, &mesh, &motion, error);
+    if (status)
+        return status;
+    status =
+        motion ? kg_mesh_write_moving(path, mesh, motion, error) : kg_mesh_write(path, mesh, error);
+    kg_mesh_destroy(mesh);
+    kg_mesh_motion_destroy(motion);
+    return status;
+}
+
 /* A card's mesh folds up and open again. */
 static kg_status export_motion(const kg_document *d, const char *path, kg_error *error) {
     const kg_card *card = d->card;
@@ -55,6 +69,8 @@ kg_status kg_document_export(const kg_document *d, const char *path, kg_group_co
         return status;
     if (d->kind == KG_DOCUMENT_OA && (format == KG_MESH_GLTF || format == KG_MESH_GLB))
         return export_motion(d, path, error);
+    if (d->folded && d->folded->fraction == 0 && (format == KG_MESH_GLTF || format == KG_MESH_GLB))
+        return export_folding(d, path, error);
     status = kg_document_mesh(d, color, &mesh, error);
     if (status)
         return status;

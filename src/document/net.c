@@ -27,15 +27,44 @@ static kg_status card_options(const kg_oa *oa, kg_net_options *out_options, doub
     return KG_OK;
 }
 
+static kg_status read_length(const json_t *net, const char *key, double lo, double hi,
+                             double *value, kg_error *error) {
+    const json_t *v = json_object_get(net, key);
+    double x = v ? json_number_value(v) : *value;
+    if ((v && !json_is_number(v)) || !(x >= lo && x <= hi))
+        return kg_fail(error, KG_ERR_INPUT, "net: \"%s\" has to be %g to %g", key, lo, hi);
+    *value = x;
+    return KG_OK;
+}
+
+/* The file's "net" object, as models have it; crease patterns speak for themselves, too. */
+static kg_status sheet_options(const kg_origami *origami, kg_net_options *out_options,
+                               double *out_tab_width, kg_error *error) {
+    kg_net_options plain = kg_net_options_default();
+    const json_t *json = kg_origami_key(origami, "net");
+    kg_model_net net = {.margin = plain.margin, .scale = plain.scale};
+    const json_t *paper = json_object_get(json, "paper");
+    if (json && (!json_is_object(json) || (paper && !json_is_string(paper))))
+        return kg_fail(error, KG_ERR_INPUT, "net: it is { \"paper\": \"A4\", … }");
+    net.json = (json_t *)(uintptr_t)json; /* read only */
+    net.paper = (char *)(uintptr_t)json_string_value(paper);
+    kg_status status = read_length(json, "margin", 0, 1e4, &net.margin, error);
+    if (!status)
+        status = read_length(json, "scale", 1e-6, 1e6, &net.scale, error);
+    if (!status)
+        status = kg_net_settings_read(&net, out_options, error);
+    if (status)
+        return status;
+    if (!json_object_get(json, "labels"))
+        out_options->labels = KG_LABELS_NONE;
+    *out_tab_width = 0;
+    return KG_OK;
+}
+
 kg_status kg_document_net_options(const kg_document *d, kg_net_options *out_options,
                                   double *out_tab_width, kg_error *error) {
-    if (d->folded) { /* crease patterns speak for themselves, too */
-        kg_net_options options = kg_net_options_default();
-        options.labels = KG_LABELS_NONE;
-        *out_options = options;
-        *out_tab_width = 0;
-        return KG_OK;
-    }
+    if (d->folded)
+        return sheet_options(d->folded->origami, out_options, out_tab_width, error);
     if (d->card)
         return card_options(d->card->oa, out_options, out_tab_width, error);
     kg_status status = kg_net_settings_read(&d->model->net, out_options, error);
