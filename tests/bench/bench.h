@@ -19,4 +19,8 @@ void bench_models(void);
 void bench_cards(void);
 void bench_origami(void);
 
+/* How many times `seconds` rabbit-ear needs for a task of rabbit.mjs on a FOLD file. */
+void bench_rabbit(const char *task, const char *fold_text, size_t size, double seconds,
+                  double target);
+
 #endif

@@ -64,6 +64,13 @@ static void bench_fold(size_t faces) {
              s->loops.count, s->orders.count);
     bench_row(what, total / fmax(count, 1), "ms", 0.010);
     bench_row("  the slowest of them", worst, "ms", 0);
+    char *text;
+    size_t size;
+    if (kg_origami_fold_text(o, kg_origami_step(o), false, &text, &size, NULL) == KG_OK) {
+        bench_rabbit("fold", text, size, total / fmax(count, 1), 0);
+        bench_rabbit("fold-orders", text, size, total / fmax(count, 1), 1000);
+        free(text);
+    }
     kg_origami_destroy(o);
 }
 
@@ -76,16 +83,6 @@ static void bench_layers(size_t faces) {
     kg_layer_report report = kg_layer_report_default();
     if (kg_origami_fold_text(o, kg_origami_step(o), false, &text, &size, &error) == KG_OK) {
         memcpy(strstr(text, "\"file_frames\""), "\"some_frames\"", 13);
-        const char *path = getenv("KATAGAMI_BENCH_FOLD"); /* where to leave the patterns */
-        if (path) {
-            char name[512];
-            snprintf(name, sizeof name, "%s/%zu.fold", path, faces);
-            FILE *f = fopen(name, "w");
-            if (f) {
-                fwrite(text, 1, size, f);
-                fclose(f);
-            }
-        }
         double start = bench_now();
         kg_status status = kg_origami_import_memory(text, size, "b.fold", &read, &report, &error);
         double time = bench_now() - start;
@@ -93,6 +90,7 @@ static void bench_layers(size_t faces) {
                  kg_origami_state_at(o, kg_origami_step(o))->loops.count, report.pairs,
                  report.exact ? "" : "over ", report.states);
         bench_row(status ? error.message : what, time, "ms", 0);
+        bench_rabbit("layers", text, size, time, 20);
         free(text);
     }
     kg_origami_destroy(o);
@@ -101,7 +99,6 @@ static void bench_layers(size_t faces) {
 
 void bench_origami(void) {
     bench_fold(1000);
-    bench_fold(1300);
     bench_layers(70);
     bench_layers(150);
     bench_layers(250);
