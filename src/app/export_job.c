@@ -10,7 +10,8 @@
 
 struct kg_export_job {
     pthread_t thread;
-    kg_document *document;
+    kg_document *document; /* NULL: the image is written */
+    kg_image image;
     char *path;
     kg_export_choice choice;
     atomic_bool cancelled, done;
@@ -63,33 +64,62 @@ static kg_status write_mesh(kg_export_job *j, kg_error *error) {
 
 static void *run(void *user) {
     kg_export_job *j = user;
-    j->status = kg_export_is_net(j->path) ? write_net(j, &j->error) : write_mesh(j, &j->error);
+    j->status = !j->document                ? kg_image_write_png(&j->image, j->path, &j->error)
+                : kg_export_is_net(j->path) ? write_net(j, &j->error)
+                                            : write_mesh(j, &j->error);
     atomic_store(&j->done, true);
     return NULL;
 }
 
 static void destroy(kg_export_job *j) {
     kg_document_destroy(j->document);
+    kg_image_destroy(&j->image);
     free(j->path);
     free(j);
 }
 
+static kg_export_job *create(const char *path) {
+    kg_export_job *j = calloc(1, sizeof *j);
+    if (j && !(j->path = strdup(path))) {
+        free(j);
+        return NULL;
+    }
+    return j;
+}
+
+static kg_status start(kg_export_job *j, kg_export_job **out_job, kg_error *error) {
+    if (pthread_create(&j->thread, NULL, run, j)) {
+        destroy(j);
+        return kg_fail(error, KG_ERR_MEMORY, "no memory for another thread");
+    }
+    *out_job = j;
+    return KG_OK;
+}
+
 kg_status kg_export_job_start(const kg_editor *e, const char *path, kg_export_job **out_job,
                               kg_error *error) {
-    kg_export_job *j = calloc(1, sizeof *j);
-    if (!j || !(j->path = strdup(path))) {
-        free(j);
+    kg_export_job *j = create(path);
+    if (!j)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    }
     j->choice = e->settings.export;
     kg_status status = kg_document_copy(e->document, &j->document, error);
-    if (!status && pthread_create(&j->thread, NULL, run, j))
-        status = kg_fail(error, KG_ERR_MEMORY, "no memory for another thread");
-    if (status)
+    if (status) {
         destroy(j);
-    else
-        *out_job = j;
-    return status;
+        return status;
+    }
+    return start(j, out_job, error);
+}
+
+kg_status kg_export_job_picture(kg_image *image, const char *path, kg_export_job **out_job,
+                                kg_error *error) {
+    kg_export_job *j = create(path);
+    if (!j) {
+        kg_image_destroy(image);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
+    j->image = *image;
+    *image = (kg_image){0};
+    return start(j, out_job, error);
 }
 
 double kg_export_job_fraction(const kg_export_job *j) {

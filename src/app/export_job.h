@@ -3,6 +3,7 @@
 #define KG_APP_EXPORT_JOB_H
 
 #include "app/editor.h"
+#include "katagami/render.h"
 
 typedef struct kg_export_job kg_export_job;
 
@@ -13,6 +14,9 @@ bool kg_export_is_net(const char *path);
  * settings and the user's choices. KG_ERR_MEMORY. */
 kg_status kg_export_job_start(const kg_editor *editor, const char *path, kg_export_job **out_job,
                               kg_error *error) KG_CHECKED;
+/* Starts to write a picture, which it takes over. KG_ERR_MEMORY. */
+kg_status kg_export_job_picture(kg_image *image, const char *path, kg_export_job **out_job,
+                                kg_error *error) KG_CHECKED;
 double kg_export_job_fraction(const kg_export_job *job);
 const char *kg_export_job_path(const kg_export_job *job);
 /* Asks it to end early; nothing is written then. */

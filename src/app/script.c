@@ -234,22 +234,34 @@ static kg_status do_drop(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
-/* Until nothing goes on in the background. */
-static void wait_idle(script *s) {
+/* Until a widget is shown, or (`label` NULL) until nothing goes on in the background; false when
+ * that is over without the widget. */
+static bool wait_for(script *s, const char *label) {
     const struct timespec tick = {.tv_nsec = 2000000};
-    for (kg_app_run_events(s->app, FRAME); s->app->busy; kg_app_run_events(s->app, FRAME))
+    kg_area area;
+    for (kg_app_run_events(s->app, FRAME); s->app->busy; kg_app_run_events(s->app, FRAME)) {
+        if (label && kg_ui_find(label, &area))
+            return true;
         nanosleep(&tick, NULL);
+    }
     kg_app_run_events(s->app, FRAME);
+    return label && kg_ui_find(label, &area);
 }
 
 static kg_status do_wait(script *s, const char *words, kg_error *error) {
     double seconds;
+    char label[256];
     if (*skip_spaces(words) == '\0') {
-        wait_idle(s);
+        wait_for(s, NULL);
         return KG_OK;
     }
+    if (*skip_spaces(words) == '"' && next_word(&words, label, sizeof label))
+        return wait_for(s, label)
+                   ? KG_OK
+                   : kg_fail(error, KG_ERR_INPUT, "no widget \"%s\" was shown", label);
     if (!next_number(&words, &seconds))
-        return kg_fail(error, KG_ERR_INPUT, "wait needs a number of seconds, or nothing");
+        return kg_fail(error, KG_ERR_INPUT,
+                       "wait needs a number of seconds, a \"LABEL\", or nothing");
     kg_app_run_events(s->app, seconds);
     return KG_OK;
 }

@@ -1,9 +1,13 @@
-"""Large files are read in the background. usage: test_loading.py KATAGAMI"""
+"""Large files are read in the background; long work can be stopped.
+
+usage: test_loading.py KATAGAMI
+"""
 
 import json
 import math
 import os
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -121,6 +125,42 @@ def test_work_survives_an_opening_that_fails_after_it_was_given_up(folder):
     run(folder, ADD, "autosave 2", "wait 121", "drop bad.katagami", 'click "Discard"',
         "expect shown Close", "key Esc", "expect patches 1")
     assert list((folder / "katagami").glob("autosave-*.katagami"))
+
+
+def write_parts(path, count):
+    """Patches that are far from each other and whose parts are hard to place."""
+    chance = random.Random(3)
+    patches = []
+    for i in range(count):
+        x, y = i % 20 * 120, i // 20 * 200
+        high, wide, far = map(chance.uniform, (10, 8, 15), (35, 40, 70))
+        patches.append({"id": i + 1, "extent": [-wide, wide],
+                        "points": [[x, y - far, 0], [x, y - far / 2, high],
+                                   [x, y + far / 2, high], [x, y + far, 0]]})
+    path.write_text(json.dumps({"katagami": 1, "kind": "patches", "patches": patches}))
+
+
+def pages(folder, *words):
+    subprocess.run([PROGRAM, "net", "parts.katagami", "-o", "n.pdf", "--json", "n.json", *words],
+                   cwd=folder, check=True)
+    return json.loads((folder / "n.json").read_text())["totals"]["pages"]
+
+
+@in_folder
+def test_placing_parts_and_writing_files_can_be_stopped(folder):
+    write_parts(folder / "parts.katagami", 150)
+    rows, nested = pages(folder, "--rows"), pages(folder)
+    assert rows > nested, (rows, nested)
+    run(folder, "open parts.katagami", "command view.net", 'wait "Stop"', 'click "Stop"', "wait",
+        f"expect net pages {rows}",  # as they come; the next change makes the search begin anew
+        "command patch.flip {\"patch\": 1}", "wait", f"expect net pages {nested}",
+        "key F4", "key Ctrl+E", 'click "pdf"', "key Enter", "key Ctrl+A", "text never.pdf",
+        "key Enter", 'wait "Cancel"', 'click "Cancel"', "wait",
+        "expect message Nothing was written", "expect file never.pdf missing",
+        "key Ctrl+E", "key Enter", "key Ctrl+A", "text never.pdf", "key Enter", "wait \"Cancel\"",
+        "key Esc", "wait", "expect message Nothing was written", "expect file never.pdf missing",
+        "key Ctrl+E", "key Enter", "key Ctrl+A", "text written.pdf", "key Enter", "wait",
+        "expect file written.pdf exists")
 
 
 sys.exit(script.run(globals()))

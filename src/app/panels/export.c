@@ -131,17 +131,14 @@ void kg_export_ask(kg_app *app, bool mesh) {
 
 /* ---- writing ---------------------------------------------------------------------------- */
 
-static kg_status write_picture(kg_app *app, const char *path, kg_error *error) {
+/* Drawn at once, since no other thread may draw; written by the job. */
+static kg_status start_picture(kg_app *app, const char *path, kg_error *error) {
     const kg_area *a = &app->editor.pane.area;
     int width = (int)app->editor.settings.export.width;
     int height = (int)fmax(width * a->height / fmax(a->width, 1), 1);
     kg_image image;
     kg_status status = kg_scenery_picture(app->stage, &app->editor, width, height, &image, error);
-    if (status)
-        return status;
-    status = kg_image_write_png(&image, path, error);
-    kg_image_destroy(&image);
-    return status;
+    return status ? status : kg_export_job_picture(&image, path, &app->export_job, error);
 }
 
 static void told(kg_app *app, kg_status status, const char *path, const kg_error *error) {
@@ -159,9 +156,11 @@ static void told(kg_app *app, kg_status status, const char *path, const kg_error
 void kg_export_to(kg_app *app, const char *path) {
     kg_error error;
     const char *dot = strrchr(path, '.');
-    if (dot && strcasecmp(dot, ".png") == 0)
-        told(app, write_picture(app, path, &error), path, &error);
-    else if (!app->export_job && kg_export_job_start(&app->editor, path, &app->export_job, &error))
+    bool is_picture = dot && strcasecmp(dot, ".png") == 0;
+    if (app->export_job)
+        return;
+    if (is_picture ? start_picture(app, path, &error)
+                   : kg_export_job_start(&app->editor, path, &app->export_job, &error))
         kg_dialogs_fail(app, &error);
     else
         app->dialogs.open_progress = true;
