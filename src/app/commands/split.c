@@ -1,5 +1,6 @@
 /* Splitting a patch in two with a plane in between, cut apart by construction patches. */
 #include "app/commands/mend.h"
+#include "app/scenery.h"
 #include "model/edit.h"
 #include "patch/mend.h"
 
@@ -52,11 +53,11 @@ static kg_status outline(kg_model *m, int64_t part, const kg_vec2 contour[4], kg
 
 /* The wish that both are one part of the net. */
 static kg_status merge(kg_model *m, int64_t a, int64_t b, kg_error *error) {
-    kg_model_join *more = realloc(m->net.joins, (m->net.join_count + 1) * sizeof *more);
+    kg_model_join *more = realloc(m->joins, (m->join_count + 1) * sizeof *more);
     if (!more)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    m->net.joins = more;
-    more[m->net.join_count++] = (kg_model_join){.patches = {a, b}, .merge = true};
+    m->joins = more;
+    more[m->join_count++] = (kg_model_join){.patches = {a, b}, .merge = true};
     return KG_OK;
 }
 
@@ -83,17 +84,17 @@ kg_status kg_mend_split(kg_editor *e, int64_t id, kg_error *error) {
                        "it is trimmed");
     kg_status status = kg_patch_divide(&p->input, &parts, error);
     char *name = status ? NULL : strdup(p->name);
-    const char *color = kg_model_patch_color(p);
-    char *paint = color && !status ? strdup(color) : NULL;
-    if (!status && (!name || (color && !paint)))
+    char color[8]; /* as it is shown: the parts stay one thing to the eye */
+    kg_color_print(kg_patch_color(p, (size_t)(p - m->patches)), color);
+    if (!status && !name)
         status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
     int64_t half = 0, plane = 0, cutters[2] = {0, 0};
     if (!status) {
         p->input = parts.halves[0];
-        status = add_part(m, name, "plane", paint, &parts.plane, &plane, error);
+        status = add_part(m, name, "plane", color, &parts.plane, &plane, error);
     }
     if (!status)
-        status = add_part(m, name, "2", paint, &parts.halves[1], &half, error);
+        status = add_part(m, name, "2", color, &parts.halves[1], &half, error);
     for (int i = 0; i < 2 && !status; i++) {
         status =
             add_part(m, name, i ? "cut 2" : "cut 1", NULL, &parts.cutters[i], &cutters[i], error);
@@ -111,7 +112,6 @@ kg_status kg_mend_split(kg_editor *e, int64_t id, kg_error *error) {
             status = merge(m, part, plane, error);
     }
     free(name);
-    free(paint);
     if (!status)
         status = check_sound(e, (const int64_t[]){id, plane, half}, 3, error);
     const int64_t all[] = {plane, half, cutters[0], cutters[1]};
