@@ -243,6 +243,8 @@ KG_API void kg_origami_between(const kg_origami *origami, size_t step, double fr
 /* Colours of a sheet, 0xrrggbb; of sheets of imported patterns, red and white. */
 KG_API void kg_origami_colours(const kg_origami *origami, int32_t sheet, uint32_t *out_front,
                                uint32_t *out_back);
+/* Whether it began as a crease pattern, whose sheets stay as they are. */
+KG_API bool kg_origami_is_pattern(const kg_origami *origami);
 /* At any time. Sheets of crease patterns are then listed, as the boxes around them, for their
  * colours. KG_ERR_INPUT: there is no such sheet. */
 KG_API kg_status kg_origami_set_colours(kg_origami *origami, size_t sheet, uint32_t front,
@@ -285,6 +287,11 @@ KG_API kg_status kg_origami_import(const char *path, kg_origami **out_origami,
 KG_API kg_status kg_origami_import_memory(const char *data, size_t size, const char *name,
                                           kg_origami **out_origami, kg_layer_report *report,
                                           kg_error *error) KG_CHECKED;
+
+/* Counts the orders that the layers of the first state could have, whatever the one they have.
+ * Errors as of kg_origami_import. */
+KG_API kg_status kg_origami_count_orders(const kg_origami *origami, kg_layer_report *report,
+                                         kg_error *error) KG_CHECKED;
 
 /* Writes NAME.fold: the crease pattern as first frame, the folded state of `step` with its
  * faceOrders as second, and, when `all_steps`, a frame for every step before it; or NAME.cp: the

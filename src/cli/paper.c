@@ -23,27 +23,36 @@ static figures measure(kg_document *d) {
     return f;
 }
 
+/* What is known of the layers of a pattern; files that hold their order are counted now. False:
+ * nothing. */
+static bool find_layers(kg_document *d, kg_layer_report *out) {
+    if (!kg_document_layers(d))
+        return false;
+    *out = *kg_document_layers(d);
+    return out->states > 0 || kg_origami_count_orders(kg_document_origami(d), out, NULL) == KG_OK;
+}
+
 void kg_paper_print(kg_document *d) {
     figures f = measure(d);
-    const kg_layer_report *r = kg_document_layers(d);
+    kg_layer_report r;
     printf("%s: %zu sheet%s, %zu folds, %zu faces, %zu pairs of layers on each other\n",
            kg_document_title(d), f.sheets, f.sheets == 1 ? "" : "s", f.folds, f.faces, f.pairs);
     printf("mountain folds %.1f mm, valley folds %.1f mm\n", f.mountain, f.valley);
-    if (r && r->states > 0)
+    if (find_layers(d, &r))
         printf("the crease pattern folds flat in %s%g way%s: %zu independent choices\n",
-               r->exact ? "" : "at least ", r->states, r->states == 1 ? "" : "s", r->components);
+               r.exact ? "" : "at least ", r.states, r.states == 1 ? "" : "s", r.components);
 }
 
 json_t *kg_paper_json(kg_document *d) {
     figures f = measure(d);
-    const kg_layer_report *r = kg_document_layers(d);
+    kg_layer_report r;
     json_t *o = json_pack("{s:I, s:I, s:I, s:I, s:f, s:f}", "sheets", (json_int_t)f.sheets, "folds",
                           (json_int_t)f.folds, "faces", (json_int_t)f.faces, "overlaps",
                           (json_int_t)f.pairs, "mountain_mm", f.mountain, "valley_mm", f.valley);
-    if (r && r->states > 0) {
-        json_object_set_new(o, "states", json_real(r->states));
-        json_object_set_new(o, "states_exact", json_boolean(r->exact));
-        json_object_set_new(o, "components", json_integer((json_int_t)r->components));
+    if (find_layers(d, &r)) {
+        json_object_set_new(o, "states", json_real(r.states));
+        json_object_set_new(o, "states_exact", json_boolean(r.exact));
+        json_object_set_new(o, "components", json_integer((json_int_t)r.components));
     }
     return o;
 }

@@ -2,6 +2,7 @@
 #include "origami/origami.h"
 
 #include "origami/folding.h"
+#include "origami/solver.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -169,6 +170,10 @@ const kg_fold *kg_origami_fold_at(const kg_origami *o, size_t index) {
     return &o->folds.items[index];
 }
 
+bool kg_origami_is_pattern(const kg_origami *o) {
+    return o->pattern;
+}
+
 void kg_origami_colours(const kg_origami *o, int32_t sheet, uint32_t *out_front,
                         uint32_t *out_back) {
     bool known = sheet >= 0 && (size_t)sheet < o->sheets.count;
@@ -333,4 +338,11 @@ void kg_origami_between(const kg_origami *o, size_t step, double fraction, kg_ve
                 ? kg_fold_turn(&axis, before->vertices.items[i].position, fraction * axis.angle)
                 : p;
     }
+}
+
+kg_status kg_origami_count_orders(const kg_origami *o, kg_layer_report *report, kg_error *error) {
+    kg_origami_state *s = kg_state_copy(o->states.items[0], false);
+    kg_status status = s ? kg_state_solve(s, report, error) : KG_ERR_MEMORY;
+    kg_state_destroy(s);
+    return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
 }
