@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 /* Seconds after which it is stopped: its time, and the ratio, are then at least that. */
-#define LIMIT 30
+#define LIMIT 60
 
 static const char *modules(void) {
     const char *folder = getenv("KATAGAMI_NODE_MODULES");

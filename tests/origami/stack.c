@@ -19,18 +19,58 @@ static kg_vec3 at(const kg_origami_state *s, int32_t h) {
     return s->vertices.items[s->halves.items[h].origin].position;
 }
 
+/* What is asked for again and again in one check: of each loop its front and its box, of each two
+ * whether the second lies above the first (1), below it (-1) or beside it. */
+static struct {
+    kg_vec3 normals[MOST];
+    kg_box3 boxes[MOST];
+    signed char *above;
+    size_t count;
+} known;
+
+static void learn(const kg_origami_state *s) {
+    size_t n = known.count = s->loops.count;
+    known.above = n <= MOST ? calloc(n * n + 1, 1) : NULL;
+    if (!known.above)
+        abort();
+    for (size_t i = 0; i < n; i++) {
+        known.normals[i] = kg_origami_normal(s, (int32_t)i);
+        known.boxes[i] = kg_box3_empty();
+        int32_t first = s->loops.items[i].first, h = first;
+        do
+            kg_box3_add(&known.boxes[i], at(s, h));
+        while ((h = next(s, h)) != first);
+    }
+    for (size_t i = 0; i < s->orders.count; i++) {
+        const kg_layer_order *o = &s->orders.items[i];
+        kg_vec3 up = s->groups.items[s->loops.items[o->a].group].normal;
+        int above = o->side * (kg_dot(known.normals[o->a], up) > 0 ? 1 : -1);
+        known.above[(size_t)o->a * n + (size_t)o->b] = (signed char)above;
+        known.above[(size_t)o->b * n + (size_t)o->a] = (signed char)-above;
+    }
+}
+
+/* Orders as they are asked for are those of the list, from either side. */
+static const char *check_orders(const kg_origami_state *s) {
+    for (size_t i = 0; i < s->orders.count; i++) {
+        const kg_layer_order *o = &s->orders.items[i];
+        int turned = kg_dot(known.normals[o->a], known.normals[o->b]) > 0 ? -1 : 1;
+        if (kg_origami_order(s, o->a, o->b) != o->side ||
+            kg_origami_order(s, o->b, o->a) != turned * o->side)
+            return "an order is not found";
+    }
+    return NULL;
+}
+
 /* Least distance of a point in the plane from the loop's sides, negative outside. */
 static double depth(const kg_origami_state *s, int32_t loop, kg_vec3 p) {
     int32_t first = s->loops.items[loop].first, h = first;
-    kg_box3 box = kg_box3_empty();
-    do
-        kg_box3_add(&box, at(s, h));
-    while ((h = next(s, h)) != first);
+    kg_box3 box = known.boxes[loop];
     double least = 2 * STEP * s->size; /* the point is in the plane: other directions tell enough */
     if (p.x < box.lo.x - least || p.x > box.hi.x + least || p.y < box.lo.y - least ||
         p.y > box.hi.y + least || p.z < box.lo.z - least || p.z > box.hi.z + least)
         return -least;
-    kg_vec3 n = kg_origami_normal(s, loop);
+    kg_vec3 n = known.normals[loop];
     least = INFINITY;
     do {
         kg_vec3 a = at(s, h), d = kg_unit(kg_sub(at(s, next(s, h)), a));
@@ -39,12 +79,8 @@ static double depth(const kg_origami_state *s, int32_t loop, kg_vec3 p) {
     return least;
 }
 
-static const kg_origami_state *sorting;
-static kg_vec3 up;
-
 static int above(int32_t a, int32_t b) { /* b above a */
-    return kg_origami_order(sorting, a, b) *
-           (kg_dot(kg_origami_normal(sorting, a), up) > 0 ? 1 : -1);
+    return known.above[(size_t)a * known.count + (size_t)b];
 }
 
 /* The loops at a point from the lowest up; -1 when the point is too near an edge to tell, -2 when
@@ -60,7 +96,6 @@ static int stack_at(const kg_origami_state *s, int32_t group, kg_vec3 p, int32_t
         if (d > 0 && n < MOST)
             out[n++] = (int32_t)i;
     }
-    sorting = s, up = s->groups.items[group].normal;
     for (int i = 1; i < n; i++)
         for (int k = i; k > 0 && above(out[k - 1], out[k]) < 0; k--) {
             int32_t t = out[k];
@@ -183,7 +218,7 @@ static const char *check_edge(const kg_origami_state *s, int32_t h, int32_t grou
     return NULL;
 }
 
-const char *stack_check(const kg_origami_state *s) {
+static const char *check_edges(const kg_origami_state *s) {
     for (size_t h = 0; h < s->halves.count; h++) {
         int32_t loop = s->halves.items[h].loop, other = s->halves.items[h ^ 1].loop;
         if (loop < 0 ||
@@ -194,6 +229,16 @@ const char *stack_check(const kg_origami_state *s) {
             return wrong;
     }
     return NULL;
+}
+
+const char *stack_check(const kg_origami_state *s) {
+    learn(s);
+    const char *wrong = check_orders(s);
+    if (!wrong)
+        wrong = check_edges(s);
+    free(known.above);
+    known.above = NULL;
+    return wrong;
 }
 
 const char *shape_check(const kg_origami_state *s, double tolerance) {
