@@ -16,9 +16,9 @@ typedef struct kg_strain {
 /* NaN where the cubic has no rulings. */
 kg_strain kg_cubic_strain(const kg_vec3 points[4], const double extent[2]);
 
-/* The greatest u / u', u' where a ruling meets the plane through `at` with normal `normal` again; of
- * those that do so within `depth` of the line through `at` along `line`, which is a ruling. Like the
- * edge of regression, which it runs into, it has to stay away from the extent. */
+/* The greatest u / u', u' where a ruling meets the plane through `at` with normal `normal` again;
+ * of those that do so within `depth` of the line through `at` along `line`, which is a ruling. Like
+ * the edge of regression, which it runs into, it has to stay away from the extent. */
 double kg_cubic_reach_back(const kg_vec3 points[4], const double extent[2], kg_vec3 at,
                            kg_vec3 line, kg_vec3 normal, double depth);
 

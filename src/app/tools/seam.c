@@ -76,7 +76,7 @@ static bool look_at(const kg_solved_patch *patch, const kg_region_loop *loop,
 /* A patch whose edge by the same source goes through a place: behind a construction patch that
  * separates two. */
 typedef struct partner {
-    int64_t patch, source, found;
+    int64_t source, found;
     kg_vec3 place;
     double near;
 } partner;
@@ -101,7 +101,7 @@ static int64_t other_side(const kg_editor *e, const search *s) {
     const kg_solved_patch *cutter = kg_solution_find(solution, s->source);
     if (!cutter || !cutter->construction)
         return s->source;
-    partner p = {s->patch, s->source, 0, s->place, 4 * KG_EDITOR_CHORD};
+    partner p = {s->source, 0, s->place, 4 * KG_EDITOR_CHORD};
     for (size_t i = 0; i < kg_solution_count(solution) && !p.found; i++)
         if (kg_solution_patch(solution, i)->id != s->patch)
             visit_edges(kg_solution_patch(solution, i), is_partner, &p);
