@@ -20,7 +20,8 @@ typedef struct kind {
 } kind;
 
 static const kind *kind_of(kg_purpose purpose) {
-    static const kind open = {N_("Open model"), N_("Open"), false, {".katagami"}};
+    static const kind open = {
+        N_("Open model"), N_("Open"), false, {".katagami", ".json", ".fold", ".cp"}};
     static const kind save = {N_("Save model"), N_("Save"), true, {".katagami"}};
     static const kind net = {N_("Export net"), N_("Export"), true, {".svg", ".pdf", ".dxf"}};
     static const kind mesh = {
@@ -133,14 +134,31 @@ void kg_dialogs_browse(kg_app *app, kg_purpose purpose) {
     list_folder(d);
 }
 
+static bool is_folder(const char *path) {
+    struct stat info;
+    return stat(path, &info) == 0 && S_ISDIR(info.st_mode);
+}
+
 /* The whole path of what was chosen, with an ending. */
 static bool chosen_path(const kg_dialogs *d, const kind *k, char out[KG_PATH_SIZE]) {
+    const char *folder = d->file[0] == '/' ? "" : d->folder;
+    const char *slash = d->file[0] == '/' || strcmp(d->folder, "/") == 0 ? "" : "/";
+    int n = snprintf(out, KG_PATH_SIZE, "%s%s%s", folder, slash, d->file);
     const char *ending = k->saves && !has_ending(k, d->file) ? k->endings[0] : "";
-    int n = d->file[0] == '/'
-                ? snprintf(out, KG_PATH_SIZE, "%s%s", d->file, ending)
-                : snprintf(out, KG_PATH_SIZE, "%s/%s%s",
-                           strcmp(d->folder, "/") == 0 ? "" : d->folder, d->file, ending);
-    return d->file[0] && n > 0 && n < KG_PATH_SIZE;
+    if (n <= 0 || (size_t)n + strlen(ending) >= KG_PATH_SIZE)
+        return false;
+    if (!is_folder(out))
+        strcpy(out + n, ending);
+    return d->file[0];
+}
+
+static void enter_path(kg_dialogs *d, const char *path) {
+    char *last = d->folder + snprintf(d->folder, sizeof d->folder, "%s", path) - 1;
+    if (last > d->folder && *last == '/')
+        *last = '\0';
+    d->file[0] = '\0';
+    d->focus = true;
+    list_folder(d);
 }
 
 /* The list; true when a file was double-clicked. */
@@ -195,6 +213,10 @@ void kg_panel_browser(kg_app *app) {
     kg_ui_disabled_begin(!ok);
     done = (kg_ui_primary_button(_(k->action)) || done) && ok;
     kg_ui_disabled_end();
+    if (done && is_folder(path)) {
+        enter_path(d, path);
+        done = false;
+    }
     kg_ui_same_line();
     bool cancelled = kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE);
     if (done || cancelled)

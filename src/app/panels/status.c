@@ -5,18 +5,26 @@
 
 #include <stdio.h>
 
+/* Colours of messages that can be read on the bar: contrasts of 4.5 and more. */
+static const struct shades {
+    kg_color fault, warning, note;
+} shades[] = {
+    [KG_UI_DARK] = {{0.95F, 0.4F, 0.3F, 1}, {0.9F, 0.65F, 0.15F, 1}, {0.45F, 0.7F, 0.95F, 1}},
+    [KG_UI_LIGHT] = {{0.7F, 0.1F, 0.05F, 1}, {0.5F, 0.31F, 0, 1}, {0.05F, 0.32F, 0.63F, 1}},
+};
+
 void kg_panel_status(kg_app *app, kg_area area) {
     const kg_editor *e = &app->editor;
+    const struct shades *shade = &shades[e->settings.theme];
     const kg_document *d = e->document;
     size_t faults = 0, count = kg_document_issue_count(d);
     for (size_t i = 0; i < count; i++)
         faults += kg_document_issue(d, i)->severity == KG_FAULT;
     kg_ui_panel_begin("status", NULL, area, KG_PANEL_PLAIN | KG_PANEL_NO_SCROLL);
     const char *now = e->tool->hint_now ? e->tool->hint_now(e) : NULL;
+    kg_ui_indent();
     if (e->message[0])
-        kg_ui_text_color(e->severity == KG_FAULT ? (kg_color){0.95F, 0.4F, 0.3F, 1}
-                                                 : (kg_color){0.45F, 0.7F, 0.95F, 1},
-                         e->message);
+        kg_ui_text_color(e->severity == KG_FAULT ? shade->fault : shade->note, e->message);
     else
         kg_ui_text_dim(now ? now : _(e->tool->hint));
     char text[128];
@@ -28,9 +36,7 @@ void kg_panel_status(kg_app *app, kg_area area) {
         snprintf(text, sizeof text, "%s", _("No faults"));
     kg_ui_right(kg_ui_text_width(text) + 10);
     if (count > 0)
-        kg_ui_text_color(faults > 0 ? (kg_color){0.95F, 0.4F, 0.3F, 1}
-                                    : (kg_color){0.9F, 0.65F, 0.15F, 1},
-                         text);
+        kg_ui_text_color(faults > 0 ? shade->fault : shade->warning, text);
     else
         kg_ui_text_dim(text);
     if (count > 0)

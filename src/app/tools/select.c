@@ -255,7 +255,7 @@ static const char *hint_now(const kg_editor *e) {
                    ? _("Selects what the box touches   Drawn to the right: what lies wholly in it")
                    : _("Selects what lies wholly in the box   Drawn to the left: what it touches");
     if (kg_editor_model(e)->patch_count == 0)
-        return _("A: place a patch by four clicks   File › Reference…: a mesh to sculpt over");
+        return _("A: place a patch by four clicks   File > Reference…: a mesh to sculpt over");
     if (kg_corner_under(e, e->pointer).patch)
         return _(
             "Drag the corner of the contour   Backspace: remove it   Ctrl+click on an edge: one "

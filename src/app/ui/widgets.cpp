@@ -121,8 +121,10 @@ bool kg_ui_primary_button(const char *label) {
     ImGui::PushStyleColor(ImGuiCol_Text, rgb(0xffffff));
     bool pressed = shown(label, ImGui::Button(see(label)));
     ImGui::PopStyleColor(3);
-    return pressed || (ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
-                       (kg_ui_key_pressed(KG_KEY_ENTER) || kg_ui_key_pressed(KG_KEY_PAD_ENTER)));
+    /* the Enter that opened this window was for another one */
+    return pressed ||
+           (!ImGui::IsWindowAppearing() && ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
+            (kg_ui_key_pressed(KG_KEY_ENTER) || kg_ui_key_pressed(KG_KEY_PAD_ENTER)));
 }
 bool kg_ui_small_button(const char *label) {
     return shown(label, ImGui::SmallButton(see(label)));
@@ -149,6 +151,7 @@ bool kg_ui_choice(const char *label, const char *const *items, int count, int *i
     return changed;
 }
 bool kg_ui_selectable(const char *label, bool selected) {
+    ImGui::AlignTextToFramePadding(); /* as texts and icons beside it */
     return shown(label,
                  ImGui::Selectable(see(label), selected, ImGuiSelectableFlags_DontClosePopups));
 }
