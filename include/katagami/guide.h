@@ -1,8 +1,9 @@
 /*
- * katagami: assembly guides, in which order and how the parts of a net are glued together.
+ * katagami: guides, how a model of any kind is made: in which order and how the parts of a net are
+ * glued together, sheets folded step by step, a card cut and folded.
  *
- * The order of building follows from the joins of the net alone; the guide adds pictures of the
- * model, rendered off-screen, and is written as a PDF.
+ * The order of building follows from the joins of the net alone; the guide adds pictures and is
+ * written as a PDF.
  */
 #ifndef KATAGAMI_GUIDE_H
 #define KATAGAMI_GUIDE_H
@@ -78,14 +79,17 @@ KG_API void kg_guide_order_destroy(kg_guide_order *order);
 /* ---- the guide -------------------------------------------------------------------------- */
 
 /*
- * Writes the guide of a solved document as a PDF: the model, its parts, the marks and lines of the
- * net, the steps with pictures. Pages have the net's paper where it can be held in a hand (up to
- * letter, legal and A4), else A4. Starts OpenGL off-screen.
+ * Writes the guide of a solved document as a PDF. Of patches: the model, its parts, the marks and
+ * lines of the net, the steps with pictures. Of sheets: a drawing of every fold in the notation of
+ * Yoshizawa and Randlett, with its line, its arrow and what to do in words, and the crease pattern;
+ * a fold that the next one undoes shares its drawing. Of a card: how it is cut and folded, with
+ * pictures of it on its way. Pages have the net's paper where it can be held in a hand (up to
+ * letter, legal and A4), else A4. Starts OpenGL off-screen, but for sheets.
  *   net      from kg_document_unroll of the same document
  *   layout   of that net: the pages on which parts are found, the written scale
  *   options  the net was laid out with: what its lines look like
- * Errors: KG_ERR_SYSTEM (no off-screen OpenGL, no font), KG_ERR_INPUT (not a patch model),
- * KG_ERR_CANCELLED, KG_ERR_IO, KG_ERR_MEMORY.
+ * Errors: KG_ERR_SYSTEM (no off-screen OpenGL, no font), KG_ERR_CANCELLED, KG_ERR_IO,
+ * KG_ERR_MEMORY.
  */
 KG_API kg_status kg_guide_write(const kg_document *document, const kg_document_net *net,
                                 const kg_net_layout *layout, const kg_net_options *options,

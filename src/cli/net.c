@@ -30,7 +30,7 @@ static const kg_option options[] = {
     {"separate", 0, false, NULL, "print and cut lines in files of their own"},
     {"mirrored", 0, false, NULL, "for printing on the back of the paper"},
     {"tolerance", 0, true, "MM", "greatest distance of a line from the true one (0.01)"},
-    {"guide", 0, true, "GUIDE.pdf", "also write an assembly guide"},
+    {"guide", 0, true, "GUIDE.pdf", "also write how it is glued or folded, step by step"},
     {"json", 0, true, "FILE", "also write a report"},
 };
 enum { OPTION_COUNT = sizeof options / sizeof *options };
@@ -203,14 +203,9 @@ static kg_status write_net(kg_document *document, const kg_net_options *settings
                            const kg_parts_options *parts, const outputs *out, kg_error *error) {
     kg_document_net net = {0};
     double chord = kg_net_settings_chord(settings);
-    kg_status status = KG_OK;
     if (kg_document_oa(document)) /* what is too narrow is so at the size it is drawn in */
         kg_document_oa(document)->scale = settings->scale;
-    if (out->guide && kg_document_oa(document))
-        status = kg_fail(error, KG_ERR_INPUT,
-                         "--guide: a card is cut and folded as its net shows, without a guide");
-    if (!status)
-        status = kg_document_solve(document, chord, error);
+    kg_status status = kg_document_solve(document, chord, error);
     if (!status)
         status = kg_document_unroll_to_fit(document, parts, &net, error);
     if (!status)

@@ -202,15 +202,20 @@ static kg_status write_steps(kg_guide *g, const kg_origami *o, kg_error *error) 
 
 /* ---- signs and crease pattern ----------------------------------------------------------- */
 
-static void write_line_sign(kg_guide *g, kg_word word, bool mountain, bool old) {
+/* Lines of the net: cuts and marks solid. */
+static void set_line(cairo_t *cr, kg_net_kind kind) {
+    cairo_set_dash(cr, NULL, 0, 0);
+    cairo_set_line_width(cr, kind == KG_NET_CUT ? 0.4 : 0.12);
+    if (kind == KG_NET_MOUNTAIN || kind == KG_NET_VALLEY)
+        kg_figure_fold_line(cr, kind == KG_NET_MOUNTAIN, 0);
+}
+
+void kg_guide_line_sign(kg_guide *g, kg_word word, kg_net_kind kind) {
     char text[KG_SENTENCE];
     cairo_t *cr = g->paper->cr;
     double y = g->paper->y + 2.6;
     kg_book_colour(g->paper, KG_INK);
-    if (old)
-        cairo_set_line_width(cr, 0.12);
-    else
-        kg_figure_fold_line(cr, mountain, 0);
+    set_line(cr, kind);
     cairo_move_to(cr, KG_BOOK_MARGIN, y);
     cairo_line_to(cr, KG_BOOK_MARGIN + 20, y);
     cairo_stroke(cr);
@@ -245,9 +250,9 @@ static void write_signs(kg_guide *g) {
     write_arrow_sign(g, y + 6.5, KG_ARROW_MOUNTAIN, KG_WORD_MOUNTAIN_ARROW);
     write_arrow_sign(g, y + 13, KG_ARROW_UNFOLD, KG_WORD_UNFOLD_ARROW);
     write_arrow_sign(g, y + 19.5, KG_ARROW_NONE, KG_WORD_TURN_SYMBOL);
-    write_line_sign(g, KG_WORD_VALLEY_LINE, false, false);
-    write_line_sign(g, KG_WORD_MOUNTAIN_LINE, true, false);
-    write_line_sign(g, KG_WORD_OLD_CREASE, false, true);
+    kg_guide_line_sign(g, KG_WORD_VALLEY_LINE, KG_NET_VALLEY);
+    kg_guide_line_sign(g, KG_WORD_MOUNTAIN_LINE, KG_NET_MOUNTAIN);
+    kg_guide_line_sign(g, KG_WORD_OLD_CREASE, KG_NET_MARK);
     g->paper->y += 10;
 }
 
@@ -261,12 +266,8 @@ static void trace(cairo_t *cr, const kg_net_line *line, const frame *f) {
     cairo_stroke(cr);
 }
 
-static void write_pattern(kg_guide *g) {
-    char text[KG_SENTENCE];
+void kg_guide_net(kg_guide *g, double height) {
     cairo_t *cr = g->paper->cr;
-    kg_book_need(g->paper, PATTERN_HEIGHT + 20);
-    kg_book_write(g->paper, &heading, kg_words(text, sizeof text, KG_WORD_CREASE_PATTERN));
-    kg_book_write(g->paper, &faint, kg_words(text, sizeof text, KG_WORD_PATTERN_TEXT));
     for (size_t i = 0; i < g->net->part_count; i++) {
         const kg_net_part *part = &g->net->parts[i];
         kg_box2 box = kg_box2_empty();
@@ -275,22 +276,29 @@ static void write_pattern(kg_guide *g) {
                 kg_box2_add(&box, part->loops[k].line.points[c]);
         kg_vec2 span = kg_sub2(box.hi, box.lo);
         frame f = {.scale = fmin(kg_book_width(g->paper) / fmax(span.x, 1e-9),
-                                 PATTERN_HEIGHT / fmax(span.y, 1e-9))};
+                                 height / fmax(span.y, 1e-9))};
         kg_book_need(g->paper, f.scale * span.y + 4);
         f.offset = kg_v2(KG_BOOK_MARGIN + (kg_book_width(g->paper) - f.scale * span.x) / 2 -
                              f.scale * box.lo.x,
                          g->paper->y + 4 - f.scale * box.lo.y);
         kg_book_colour(g->paper, KG_INK);
         for (size_t k = 0; k < part->line_count; k++) {
-            kg_figure_fold_line(cr, part->lines[k].kind == KG_NET_MOUNTAIN, 0);
+            set_line(cr, part->lines[k].kind);
             trace(cr, &part->lines[k], &f);
         }
-        cairo_set_dash(cr, NULL, 0, 0);
-        cairo_set_line_width(cr, 0.4);
+        set_line(cr, KG_NET_CUT);
         for (size_t k = 0; k < part->loop_count; k++)
             trace(cr, &part->loops[k].line, &f);
         g->paper->y += f.scale * span.y + 8;
     }
+}
+
+static void write_pattern(kg_guide *g) {
+    char text[KG_SENTENCE];
+    kg_book_need(g->paper, PATTERN_HEIGHT + 20);
+    kg_book_write(g->paper, &heading, kg_words(text, sizeof text, KG_WORD_CREASE_PATTERN));
+    kg_book_write(g->paper, &faint, kg_words(text, sizeof text, KG_WORD_PATTERN_TEXT));
+    kg_guide_net(g, PATTERN_HEIGHT);
 }
 
 kg_status kg_guide_folds(kg_guide *g, const kg_origami *o, kg_error *error) {

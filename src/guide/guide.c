@@ -115,7 +115,7 @@ kg_status kg_guide_write(const kg_document *document, const kg_document_net *net
                          const kg_net_layout *layout, const kg_net_options *options,
                          const char *path, const kg_progress *progress, kg_error *error) {
     kg_guide guide = {.net = net->net, .layout = layout, .options = options, .progress = progress};
-    kg_status status;
+    kg_status status = KG_OK;
     switch (kg_document_get_kind(document)) {
     case KG_DOCUMENT_PATCHES:
         status = write_assembly(&guide, document, net, error);
@@ -124,9 +124,11 @@ kg_status kg_guide_write(const kg_document *document, const kg_document_net *net
         status =
             write_folds(&guide, kg_document_origami((kg_document *)(uintptr_t)document), error);
         break;
-    default:
-        return kg_fail(error, KG_ERR_INPUT,
-                       "a card is cut and folded as its net shows, without a guide");
+    case KG_DOCUMENT_OA:
+        status = open_paper(&guide, KG_WORD_CARD_FOOTER, kg_document_title(document), error);
+        if (!status)
+            status = kg_guide_card(&guide, document, error);
+        break;
     }
     if (!status)
         status = kg_book_finish(guide.paper, error);

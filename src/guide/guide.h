@@ -26,6 +26,14 @@ kg_status kg_guide_opening(kg_guide *guide, kg_error *error) KG_CHECKED;
 /* All pages of a folding sequence: its pictures, the signs, the crease pattern. */
 kg_status kg_guide_folds(kg_guide *guide, const kg_origami *origami, kg_error *error) KG_CHECKED;
 
+/* The parts of the net at full width, one below the other, each at most `height` mm high. */
+void kg_guide_net(kg_guide *guide, double height);
+/* A line of the net and what it means, in the left half of the page. */
+void kg_guide_line_sign(kg_guide *guide, kg_word word, kg_net_kind kind);
+
+/* All pages of a pop-up card: how it is cut and folded, pictures of it, the sheet. */
+kg_status kg_guide_card(kg_guide *guide, const kg_document *document, kg_error *error) KG_CHECKED;
+
 /* A block for each step. */
 kg_status kg_guide_steps(kg_guide *guide, kg_error *error) KG_CHECKED;
 

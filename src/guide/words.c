@@ -101,7 +101,7 @@ static const char *const words[KG_WORD_COUNT] = {
     [KG_WORD_FINISHED] = "The finished model.",
     [KG_WORD_COLLAPSED] = "Folded along all its creases.",
     [KG_WORD_LENGTH] = "%.6g mm",
-    [KG_WORD_SIGNS] = "Lines and arrows",
+    [KG_WORD_SIGNS] = "Lines and signs",
     [KG_WORD_VALLEY_LINE] = "Valley fold: towards you",
     [KG_WORD_MOUNTAIN_LINE] = "Mountain fold: away from you",
     [KG_WORD_OLD_CREASE] = "Crease from an earlier fold",
@@ -110,6 +110,25 @@ static const char *const words[KG_WORD_COUNT] = {
     [KG_WORD_UNFOLD_ARROW] = "Fold and unfold",
     [KG_WORD_TURN_SYMBOL] = "Turn over",
     [KG_WORD_PATTERN_TEXT] = "All folds of the finished model, seen from the front of the paper.",
+    [KG_WORD_CARD_FOOTER] = "%s · pop-up card", /* title */
+    [KG_WORD_CARD_GUIDE] = "Pop-up card",
+    [KG_WORD_CARD_SHEET] = "One sheet of %.4g × %.4g mm; stiff paper stands best.",
+    [KG_WORD_CARD_CUT] =
+        "1. Score all fold lines, mountain folds on the printed side and valley folds on its back, "
+        "or on one side only with a blunt point. Then cut along all solid lines.",
+    [KG_WORD_CARD_SCORE] =
+        "2. Bend each fold a little: mountain folds away from you, valley folds towards you. Begin "
+        "with the middle fold at both sides of the sheet, then go on from the largest box to the "
+        "smallest. Push from behind with a finger or a stick.",
+    [KG_WORD_CARD_OPEN] =
+        "3. Bring the two halves together little by little, and help every fold to go its way, "
+        "until the card stands open at 90°.",
+    [KG_WORD_CARD_CLOSE] =
+        "4. Close it all the way and press it flat, so that all folds are sharp. Open it again.",
+    [KG_WORD_CARD_NET] = "The sheet",
+    [KG_WORD_CUT_LINE] = "Cut",
+    [KG_WORD_CARD_AT] = "open at %.0f°",
+    [KG_WORD_CARD_CLOSED] = "closed",
 };
 
 char *kg_words(char *out, size_t size, kg_word word, ...) {

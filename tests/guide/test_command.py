@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -96,6 +97,23 @@ def test_a_guide_that_cannot_be_written_leaves_no_net():
 def test_standard_output_is_no_place_for_a_guide():
     with folder():
         assert net("-o", "net.svg", "--guide", "-").returncode == 2
+
+
+def test_a_card_says_how_it_is_cut_and_folded():
+    if not shutil.which("pdftotext"):
+        raise script.Skip("pdftotext is not installed")
+    card = {"katagami": 1, "kind": "oa", "title": "box", "oa": {
+        "size": [5, 4, 5], "cell_mm": 10,
+        "depth": [[0] * 5, [2, 2, 2, 0, 0], [2, 2, 2, 0, 0], [2, 2, 2, 0, 0], [0] * 5]}}
+    with folder():
+        pathlib.Path("m.katagami").write_text(json.dumps(card), encoding="utf-8")
+        write_guide("g.pdf")
+        done = subprocess.run(["pdftotext", "-layout", "g.pdf", "-"], capture_output=True,
+                              text=True, check=True)
+        words = " ".join(done.stdout.split())
+        for text in ["box", "One sheet of 50 × 90 mm", "cut along all solid lines", "open at 45°",
+                     "closed", "The sheet"]:
+            assert text in words, (text, words)
 
 
 sys.exit(script.run(dict(globals())))
