@@ -2,9 +2,10 @@
 #ifndef KG_APP_TEXT_H
 #define KG_APP_TEXT_H
 
+#include "base/text.h"
+
 #include <libintl.h>
 
 #define _(text) gettext(text)
-#define N_(text) text
 
 #endif

@@ -1,8 +1,39 @@
-#include "katagami/base.h"
+#include "base/text.h"
 
+#include <errno.h>
+#include <libintl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+const char *kg_text(const char *text) {
+    return *text ? dgettext("katagami", text) : text; /* "" would be the catalogue's header */
+}
+
+const char *kg_text_of_errno(int code) {
+    switch (code) { /* the usual ones: the system's own translations are seldom installed */
+    case ENOENT:
+        return kg_text("No such file or directory");
+    case EACCES:
+        return kg_text("Permission denied");
+    case EISDIR:
+        return kg_text("Is a directory");
+    case ENOTDIR:
+        return kg_text("Not a directory");
+    case EEXIST:
+        return kg_text("File exists");
+    case ENAMETOOLONG:
+        return kg_text("File name too long");
+    case ENOSPC:
+        return kg_text("No space left on device");
+    case EROFS:
+        return kg_text("Read-only file system");
+    case EIO:
+        return kg_text("Input/output error");
+    default:
+        return strerror(code);
+    }
+}
 
 kg_status kg_fail(kg_error *error, kg_status status, const char *format, ...) {
     if (!error)
@@ -10,7 +41,7 @@ kg_status kg_fail(kg_error *error, kg_status status, const char *format, ...) {
     error->status = status;
     va_list args;
     va_start(args, format);
-    vsnprintf(error->message, sizeof error->message, format, args);
+    vsnprintf(error->message, sizeof error->message, kg_text(format), args);
     va_end(args);
     return status;
 }
@@ -23,7 +54,7 @@ kg_status kg_fail_in(kg_error *error, kg_status status, const char *format, ...)
     tail[sizeof tail - 1] = '\0';
     va_list args;
     va_start(args, format);
-    vsnprintf(error->message, sizeof error->message, format, args);
+    vsnprintf(error->message, sizeof error->message, kg_text(format), args);
     va_end(args);
     size_t used = strlen(error->message);
     snprintf(error->message + used, sizeof error->message - used, "%s", tail);

@@ -1,6 +1,7 @@
 #include "net/writers.h"
 
 #include "base/file.h"
+#include "base/text.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -37,7 +38,8 @@ static kg_status output_prepare(output *o, kg_error *error) {
     if (f && fclose(f) != 0)
         done = false;
     return done ? KG_OK
-                : kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", o->path, strerror(errno));
+                : kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", o->path,
+                          kg_text_of_errno(errno));
 }
 
 /* Writes every file beside its place, then moves them all there; when one cannot be written, none

@@ -1,0 +1,37 @@
+/*
+ * Words for people. English is in the source; where the program that runs the kernel has bound the
+ * catalogue of texts (src/app/language.c), they come out in its user's language.
+ *
+ * A text is looked up when a message is put together, by the functions that do that: kg_fail,
+ * kg_fail_in, kg_read_fail and kg_issues_add take the English format and look it up themselves;
+ * whatever else is said goes through kg_text. So formats are whole sentences: other languages put
+ * their values in another order ("%2$s", all of a format's values then have a number). Words that
+ * others decide (names, numbers, keys of files, messages of libraries) stay as they are.
+ */
+#ifndef KG_BASE_TEXT_H
+#define KG_BASE_TEXT_H
+
+#include "katagami/base.h"
+
+/* Marks a text that is looked up later: in a table, or chosen among several. */
+#define N_(text) text
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The text in the user's language, or as it is where there is none. Any thread may ask; what is
+ * returned stays valid. */
+const char *kg_text(const char *text)
+#if defined(__GNUC__)
+    __attribute__((format_arg(1)))
+#endif
+    ;
+
+/* What went wrong in the system, by errno. */
+const char *kg_text_of_errno(int code);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
