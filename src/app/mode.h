@@ -8,6 +8,7 @@
 #define KG_APP_MODE_H
 
 #include "app/editor.h"
+#include "app/net_view.h"
 #include "app/overlay.h"
 #include "app/ui/icons.h"
 
@@ -43,6 +44,12 @@ struct kg_mode {
     void (*toolbar)(struct kg_app *app);             /* buttons below each other */
     void (*side)(struct kg_app *app, kg_area area);  /* panels at the right */
     void (*handles)(struct kg_app *app);             /* over the 3D view; may be NULL */
+
+    /* The mouse over the net, at a point of its part (NULL: beside it); NULL: the net is only looked
+     * at. True of a press of the left button: what follows until its release comes here too. */
+    bool (*net_event)(kg_editor *editor, const kg_event *event, const kg_vec2 *point);
+    /* Adds to the drawing of the net's part; may be NULL. `scale`: pixels per layout unit. */
+    void (*net_draw)(const kg_editor *editor, const kg_net_map *map, double scale);
 
     /* An assertion of a script, the words after "expect". */
     kg_status (*expect)(const kg_editor *editor, const char *words, kg_error *error);

@@ -1,5 +1,6 @@
 /* What the mouse does on the pages of a net. */
 #include "app/commands/commands.h"
+#include "app/mode.h"
 #include "app/net_view.h"
 #include "app/text.h"
 #include "document/pin.h"
@@ -149,7 +150,18 @@ static void hover(kg_net_view *v, kg_editor *e, kg_vec2 px) {
         e->hover_patch = join->sources[0];
 }
 
-static void press(kg_net_view *v, const kg_event *event) {
+/* Gives an event to the mode, with the point of the part under the pointer. */
+static bool give_to_mode(const kg_net_view *v, kg_editor *e, const kg_event *event) {
+    int part = kg_net_view_part_at(v, event->position);
+    kg_vec2 point;
+    if (!e->mode->net_event)
+        return false;
+    if (part >= 0)
+        point = kg_net_view_part_point(v, (size_t)part, event->position);
+    return e->mode->net_event(e, event, part >= 0 ? &point : NULL);
+}
+
+static void press(kg_net_view *v, kg_editor *e, const kg_event *event) {
     kg_vec2 center, handle;
     v->button = event->button;
     v->pressed = v->last = event->position;
@@ -158,6 +170,9 @@ static void press(kg_net_view *v, const kg_event *event) {
         kg_net_view_handle(v, &center, &handle) &&
         kg_dist2(handle, event->position) < HANDLE_NEAR * v->scale)
         begin(v, KG_NET_TURNING, v->active_part);
+    else if (v->gesture == KG_NET_PRESSED && event->button == KG_MOUSE_LEFT &&
+             give_to_mode(v, e, event))
+        v->gesture = KG_NET_EDITING;
 }
 
 static void move(kg_net_view *v, kg_editor *e, const kg_event *event) {
@@ -175,6 +190,10 @@ static void move(kg_net_view *v, kg_editor *e, const kg_event *event) {
     switch (v->gesture) {
     case KG_NET_IDLE:
         hover(v, e, event->position);
+        give_to_mode(v, e, event);
+        break;
+    case KG_NET_EDITING:
+        give_to_mode(v, e, event);
         break;
     case KG_NET_PRESSED:
         return;
@@ -224,6 +243,8 @@ static void release(kg_net_view *v, kg_editor *e, const kg_event *event) {
         drop(v, e);
     else if (gesture == KG_NET_DIVIDING)
         keep_settings(e);
+    else if (gesture == KG_NET_EDITING)
+        give_to_mode(v, e, event);
 }
 
 static void zoom(kg_net_view *v, const kg_event *event) {
@@ -264,7 +285,7 @@ bool kg_net_view_event(kg_net_view *v, kg_editor *e, const kg_event *event) {
     case KG_EVENT_PRESS:
         v->foreign = !over;
         if (over && !mine)
-            press(v, event);
+            press(v, e, event);
         return over;
     case KG_EVENT_RELEASE:
         v->foreign = false;

@@ -124,6 +124,11 @@ kg_net_map kg_net_view_map(const kg_net_view *v, size_t part) {
         kg_net_view_to_px(v, kg_add2(kg_net_view_page_origin(v, at.page), at.offset))};
 }
 
+kg_vec2 kg_net_view_part_point(const kg_net_view *v, size_t part, kg_vec2 px) {
+    kg_net_placement at = kg_net_view_placement(v, part);
+    return from_board(v, &at, kg_net_view_to_board(v, px));
+}
+
 kg_box2 kg_net_view_part_box(const kg_net_view *v, size_t part) {
     const kg_net_line *line = &picture_of(v)->net.net->parts[part].loops[0].line;
     kg_net_map map = kg_net_view_map(v, part);

@@ -18,6 +18,7 @@ typedef enum kg_net_gesture {
     KG_NET_PANNING,
     KG_NET_MOVING, /* a part */
     KG_NET_TURNING,
+    KG_NET_EDITING, /* as the mode does */
     KG_NET_DIVIDING /* the width between the model and the net */
 } kg_net_gesture;
 
@@ -84,6 +85,8 @@ static inline kg_vec2 kg_net_map_apply(const kg_net_map *map, kg_vec2 p) {
 kg_box2 kg_net_view_part_box(const kg_net_view *view, size_t part);
 /* Where the handle that turns the active part is; false when there is none. */
 bool kg_net_view_handle(const kg_net_view *view, kg_vec2 *out_center, kg_vec2 *out_handle);
+/* The point of a part, in its own coordinates, at a pixel. */
+kg_vec2 kg_net_view_part_point(const kg_net_view *view, size_t part, kg_vec2 px);
 /* What is wrong with where a part lies: see net/clash.h. */
 unsigned kg_net_view_clash(const kg_net_view *view, size_t part);
 

@@ -12,8 +12,12 @@ kg_status kg_document_copy(const kg_document *d, kg_document **out_copy, kg_erro
     kg_origami *origami = d->folded ? kg_origami_copy(d->folded->origami) : NULL;
     if (model)
         return kg_document_from_model(model, d->path, out_copy, error);
-    if (oa)
-        return kg_document_from_oa(oa, d->path, out_copy, error);
+    if (oa) {
+        kg_status status = kg_document_from_oa(oa, d->path, out_copy, error);
+        if (!status)
+            kg_document_set_open(*out_copy, d->card->open);
+        return status;
+    }
     if (origami)
         return kg_document_from_origami(origami, d->path, out_copy, error);
     return kg_fail(error, KG_ERR_MEMORY, "out of memory");

@@ -35,7 +35,8 @@ static kg_status toggle_ortho(kg_editor *e, const json_t *a, kg_error *error) {
 
 static kg_status frame_selection(kg_editor *e, const json_t *a, kg_error *error) {
     (void)a, (void)error;
-    kg_pane_fit(&e->pane, kg_editor_box(e, e->selection.patches.count > 0));
+    kg_box3 box = kg_editor_box(e, true);
+    kg_pane_fit(&e->pane, box.lo.x <= box.hi.x ? box : kg_editor_box(e, false));
     return KG_OK;
 }
 

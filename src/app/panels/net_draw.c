@@ -1,5 +1,6 @@
 #include "app/panels/net_draw.h"
 
+#include "app/mode.h"
 #include "app/panels/net_fill.h"
 #include "app/scenery.h"
 #include "app/tools/seam.h"
@@ -178,7 +179,7 @@ static void fill_part(const kg_net_view *v, const kg_editor *e, size_t index, kg
     const kg_model *m = kg_editor_model(e);
     size_t patch = m ? patch_index(m, part->source) : 0;
     int rank = kg_editor_selection_rank(e, part->source);
-    bool hovered = e->hover_patch == part->source;
+    bool hovered = m && e->hover_patch == part->source;
     kg_color color = m && patch < m->patch_count ? kg_patch_color(&m->patches[patch], patch) : lit;
     if (rank >= 0)
         color = kg_rank_color(rank);
@@ -350,6 +351,10 @@ void kg_net_draw_pages(const kg_net_view *v, const kg_editor *e) {
         draw_sheet(v, (int)i, i >= p->layout->page_count);
     for (size_t i = 0; pages > 0 && i < p->net.net->part_count; i++)
         fill_part(v, e, i, &line);
+    if (e->mode->net_draw && pages > 0 && p->net.net->part_count > 0) {
+        kg_net_map map = kg_net_view_map(v, 0);
+        e->mode->net_draw(e, &map, v->scale);
+    }
     for (size_t i = 0; i < pages && i < p->layout->page_count; i++)
         draw_page(v, (int)i, &line);
     for (size_t i = 0; pages > 0 && i < p->net.net->part_count; i++)

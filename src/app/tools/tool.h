@@ -29,5 +29,6 @@ extern const kg_tool kg_tool_transform;
 extern const kg_tool kg_tool_cutter;
 extern const kg_tool kg_tool_pieces;
 extern const kg_tool kg_tool_contour;
+extern const kg_tool kg_tool_voxel;
 
 #endif
