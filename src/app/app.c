@@ -117,6 +117,8 @@ static void give_to_editor(kg_app *app, const kg_event *event) {
     kg_editor *e = &app->editor;
     if (kg_axes_event(app, event) || kg_net_view_event(&app->net_view, e, event))
         return;
+    if (event->type == KG_EVENT_WHEEL && e->tool->event(e, event)) /* what is held may want it */
+        return;
     if (kg_pane_event(&e->pane, event, e->settings.navigation))
         return;
     if (e->tool->event(e, event) || event->type != KG_EVENT_KEY)

@@ -182,6 +182,30 @@ static kg_status do_drag(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
+/* Presses at a place and holds, or lets go at another: what goes on meanwhile can be looked at. */
+static kg_status press_or_release(script *s, const char *words, bool press, kg_error *error) {
+    kg_vec2 at;
+    int button = KG_MOUSE_LEFT, times = 1;
+    unsigned mods = 0;
+    kg_status status = read_place(s, &words, &at, error);
+    if (!status)
+        status = read_manner(words, &button, &mods, &times, error);
+    if (status)
+        return status;
+    move_to(s, at, mods);
+    send(s, (kg_event){
+                .type = press ? KG_EVENT_PRESS : KG_EVENT_RELEASE, .button = button, .mods = mods});
+    return KG_OK;
+}
+
+static kg_status do_press(script *s, const char *words, kg_error *error) {
+    return press_or_release(s, words, true, error);
+}
+
+static kg_status do_release(script *s, const char *words, kg_error *error) {
+    return press_or_release(s, words, false, error);
+}
+
 static kg_status do_key(script *s, const char *words, kg_error *error) {
     kg_chord chord;
     char name[64];
@@ -359,25 +383,13 @@ static kg_status do_monkey(script *s, const char *words, kg_error *error) {
 static const struct {
     const char *name;
     kg_status (*run)(script *, const char *, kg_error *);
-} verbs[] = {{"move", do_move},
-             {"click", do_click},
-             {"drag", do_drag},
-             {"key", do_key},
-             {"text", do_text},
-             {"wheel", do_wheel},
-             {"open", do_open},
-             {"save", do_save},
-             {"drop", do_drop},
-             {"wait", do_wait},
-             {"command", do_command},
-             {"fail", do_fail},
-             {"expect", do_expect},
-             {"shot", do_shot},
-             {"resize", do_resize},
-             {"monkey", do_monkey},
-             {"recover", do_recover},
-             {"autosave", do_autosave},
-             {"preferences", do_preferences}};
+} verbs[] = {{"move", do_move},       {"click", do_click},       {"drag", do_drag},
+             {"press", do_press},     {"release", do_release},   {"key", do_key},
+             {"text", do_text},       {"wheel", do_wheel},       {"open", do_open},
+             {"save", do_save},       {"drop", do_drop},         {"wait", do_wait},
+             {"command", do_command}, {"fail", do_fail},         {"expect", do_expect},
+             {"shot", do_shot},       {"resize", do_resize},     {"monkey", do_monkey},
+             {"recover", do_recover}, {"autosave", do_autosave}, {"preferences", do_preferences}};
 
 static kg_status run_line(script *s, const char *line, kg_error *error) {
     char verb[32];

@@ -14,10 +14,7 @@ void kg_fold_forget(kg_fold_tool *t) {
     t->gap_count = 0;
 }
 
-void kg_fold_drop(kg_editor *e) {
-    kg_fold_tool *t = kg_fold_tool_of(e);
-    if (!t)
-        return;
+static void drop(kg_editor *e, kg_fold_tool *t) {
     kg_fold_forget(t);
     t->phase = KG_PHASE_READY;
     t->aimed = false;
@@ -39,13 +36,19 @@ kg_fold_tool *kg_fold_tool_of(kg_editor *e) {
             return NULL;
         t->angle_deg = 180;
         t->sign = 1;
-        kg_fold_drop(e);
+        drop(e, t);
     }
     /* what was chosen of paper that is no longer so */
     if ((t->phase != KG_PHASE_READY || t->given || t->vertex >= 0) &&
         t->topology != kg_sheets_of(e)->topology)
-        kg_fold_drop(e);
+        drop(e, t);
     return t;
+}
+
+void kg_fold_drop(kg_editor *e) {
+    kg_fold_tool *t = kg_fold_tool_of(e);
+    if (t)
+        drop(e, t);
 }
 
 const kg_fold_tool *kg_fold_tool_seen(const kg_editor *e) {
@@ -266,6 +269,7 @@ kg_status kg_fold_done(kg_editor *e, kg_error *error) {
         return kg_fail(error, KG_ERR_INPUT, "%s", reason);
     }
     kg_fold fold = t->fold;
+    fold.layers = fold.layers > 1 ? fold.layers : 0; /* as files leave it out */
     kg_fold_drop(e);
     kg_status status = kg_fold_add(e, &fold, error);
     kg_editor_update(e);

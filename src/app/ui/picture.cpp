@@ -44,7 +44,8 @@ void kg::delete_pictures() {
     doomed.clear();
 }
 
-void kg_ui_canvas_picture(kg_area a, uint32_t picture) {
+void kg_ui_canvas_picture(kg_area a, uint32_t picture, double opacity) {
     ui.canvas->AddImage((ImTextureID)(intptr_t)picture, ImVec2((float)a.x, (float)a.y),
-                        ImVec2((float)(a.x + a.width), (float)(a.y + a.height)));
+                        ImVec2((float)(a.x + a.width), (float)(a.y + a.height)), ImVec2(0, 0),
+                        ImVec2(1, 1), packed(kg_color{1, 1, 1, (float)opacity}));
 }

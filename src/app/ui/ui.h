@@ -178,6 +178,12 @@ typedef enum kg_icon {
     KG_ICON_WARNING,
     KG_ICON_FOLDER,
     KG_ICON_FILE,
+    KG_ICON_FOLD_CORNER,
+    KG_ICON_FOLD_AXIS,
+    KG_ICON_FOLD_BISECT,
+    KG_ICON_FOLD_SQUARE,
+    KG_ICON_MOUNTAIN,
+    KG_ICON_VALLEY,
     KG_ICON_CHECK,
     KG_ICON_VOXEL_ADD,
     KG_ICON_VOXEL_REMOVE,
@@ -237,7 +243,7 @@ void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double capital_px, kg_co
  * interface. */
 uint32_t kg_ui_picture_create(const kg_image *image);
 void kg_ui_picture_destroy(uint32_t picture); /* 0: none */
-void kg_ui_canvas_picture(kg_area area, uint32_t picture);
+void kg_ui_canvas_picture(kg_area area, uint32_t picture, double opacity);
 /* The colour of text, fainter where it is disabled. */
 kg_color kg_ui_text_ink(void);
 /* Lets kg_ui_find find something drawn. */
