@@ -1,8 +1,8 @@
 #include "document/card.h"
 
 #include "base/array.h"
+#include "base/text.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,29 +42,21 @@ void kg_card_destroy(kg_card *card) {
 
 /* ---- issues ----------------------------------------------------------------------------- */
 
-static void say(kg_issue *issue, const char *format, ...) KG_PRINTF(2, 3);
-
-static void say(kg_issue *issue, const char *format, ...) {
-    size_t used = strlen(issue->message);
-    va_list args;
-    va_start(args, format);
-    vsnprintf(issue->message + used, sizeof issue->message - used, format, args);
-    va_end(args);
-}
-
 /* One issue for remarks of the same trouble: their places, the reason, what helps. */
 static bool add_issue(kg_card *card, const kg_oa_remark *remarks, size_t count) {
     kg_oa_trouble trouble = remarks->trouble;
     kg_issue issue = {.severity = kg_oa_is_fault(trouble) ? KG_FAULT : KG_WARNING,
                       .code = kg_oa_trouble_code(trouble)};
-    for (size_t i = 0; i < count && i < NAMED; i++) {
-        char place[96];
+    char places[NAMED * 160] = "", place[160];
+    for (size_t i = 0, used = 0; i < count && i < NAMED; i++, used = strlen(places)) {
         kg_oa_remark_place(&remarks[i], place, sizeof place);
-        say(&issue, "%s%s", i > 0 ? "; " : "", place);
+        snprintf(places + used, sizeof places - used, "%s%s", i > 0 ? kg_text("; ") : "", place);
     }
+    size_t used = strlen(places);
     if (count > NAMED)
-        say(&issue, "; and %zu more places", count - NAMED);
-    say(&issue, ": %s; %s", kg_oa_trouble_reason(trouble), kg_oa_trouble_advice(trouble));
+        kg_text_print(places + used, sizeof places - used, "; and %zu more places", count - NAMED);
+    kg_text_print(issue.message, sizeof issue.message, "%s: %s; %s", places,
+                  kg_oa_trouble_reason(trouble), kg_oa_trouble_advice(trouble));
     return kg_push(&card->issues, issue);
 }
 

@@ -1,35 +1,39 @@
 /* Remarks in words. */
 #include "katagami/oa.h"
 
+#include "base/text.h"
+
 #include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 static const struct {
     const char *code, *reason, *advice;
 } texts[KG_OA_TROUBLE_COUNT] = {
-    [KG_OA_FLOATING] = {"floating",
-                        "a front that nothing holds: no paper leads from it up to the back sheet "
-                        "or down to the base",
-                        "close windows around it, fill beside it, or remove it"},
-    [KG_OA_NOT_LIFTED] = {"not-lifted",
-                          "a front that hangs on nothing above: no paper leads from it up to the "
-                          "back sheet",
-                          "close a window or put back a top above it, or remove it"},
-    [KG_OA_NOT_CARRIED] = {"not-carried",
-                           "a front that stands on nothing below: no paper leads from it down to "
-                           "the base",
-                           "close a window below it, make it a window too, or remove it"},
-    [KG_OA_BARE_EDGE] = {"edge", "the model reaches the edge of the sheet",
-                         "give the card a margin of plain cells, or leave its border free"},
-    [KG_OA_LOOSE] = {"loose", "a loose patch: it does not follow from the opening of the card",
-                     "join it with a second firm patch in another plane, or glue it"},
-    [KG_OA_FLAP] = {"flap", "a flap: it hangs on a single patch",
-                    "leave it if it is meant to flap, else join it with a second patch"},
-    [KG_OA_TINY_FOLD] = {"tiny-fold", "a fold so short that the paper tears",
-                         "draw the net larger, or use fewer cells"},
-    [KG_OA_TINY_NECK] = {"tiny-neck", "a strip between cuts so narrow that the paper tears",
-                         "draw the net larger, or use fewer cells"},
+    [KG_OA_FLOATING] =
+        {"floating",
+         N_("a front that nothing holds: no paper leads from it up to the back sheet "
+            "or down to the base"),
+         N_("close windows around it, fill beside it, or remove it")},
+    [KG_OA_NOT_LIFTED] =
+        {"not-lifted",
+         N_("a front that hangs on nothing above: no paper leads from it up to the "
+            "back sheet"),
+         N_("close a window or put back a top above it, or remove it")},
+    [KG_OA_NOT_CARRIED] =
+        {"not-carried",
+         N_("a front that stands on nothing below: no paper leads from it down to "
+            "the base"),
+         N_("close a window below it, make it a window too, or remove it")},
+    [KG_OA_BARE_EDGE] = {"edge", N_("the model reaches the edge of the sheet"),
+                         N_("give the card a margin of plain cells, or leave its border free")},
+    [KG_OA_LOOSE] = {"loose", N_("a loose patch: it does not follow from the opening of the card"),
+                     N_("join it with a second firm patch in another plane, or glue it")},
+    [KG_OA_FLAP] = {"flap", N_("a flap: it hangs on a single patch"),
+                    N_("leave it if it is meant to flap, else join it with a second patch")},
+    [KG_OA_TINY_FOLD] = {"tiny-fold", N_("a fold so short that the paper tears"),
+                         N_("draw the net larger, or use fewer cells")},
+    [KG_OA_TINY_NECK] = {"tiny-neck", N_("a strip between cuts so narrow that the paper tears"),
+                         N_("draw the net larger, or use fewer cells")},
 };
 
 const char *kg_oa_trouble_code(kg_oa_trouble trouble) {
@@ -37,30 +41,44 @@ const char *kg_oa_trouble_code(kg_oa_trouble trouble) {
 }
 
 const char *kg_oa_trouble_reason(kg_oa_trouble trouble) {
-    return texts[trouble].reason;
+    return kg_text(texts[trouble].reason);
 }
 
 const char *kg_oa_trouble_advice(kg_oa_trouble trouble) {
-    return texts[trouble].advice;
+    return kg_text(texts[trouble].advice);
 }
 
+/* Puts a phrase behind those before, with a comma between. */
 static void add(char *text, size_t size, const char *format, ...) KG_PRINTF(3, 4);
 
 static void add(char *text, size_t size, const char *format, ...) {
     size_t used = strlen(text);
     va_list args;
+    if (used > 0)
+        kg_text_print(text + used, size - used, ", ");
+    used = strlen(text);
     va_start(args, format);
-    vsnprintf(text + used, size - used, format, args);
+    kg_text_vprint(text + used, size - used, format, args);
     va_end(args);
 }
 
-/* "columns 2-5"; cells behind the back sheet and below the base are left out. */
-static void add_range(char *text, size_t size, const char *what, int lo, int hi) {
+/* How a coordinate is said, of one cell and of several. */
+static const struct {
+    const char *one, *several;
+} ranges[3] = {
+    {N_("column %d"), N_("columns %d-%d")},
+    {N_("depth %d"), N_("depths %d-%d")},
+    {N_("level %d"), N_("levels %d-%d")},
+};
+
+/* Cells behind the back sheet and below the base are left out. */
+static void add_range(char *text, size_t size, int axis, const kg_oa_remark *r) {
+    int lo = r->lo[axis], hi = r->hi[axis];
     lo = lo < 0 && hi >= 0 ? 0 : lo;
     if (lo == hi)
-        add(text, size, "%s %d", what, lo);
+        add(text, size, ranges[axis].one, lo);
     else
-        add(text, size, "%ss %d-%d", what, lo, hi);
+        add(text, size, ranges[axis].several, lo, hi);
 }
 
 void kg_oa_remark_place(const kg_oa_remark *r, char *out_text, size_t size) {
@@ -70,28 +88,25 @@ void kg_oa_remark_place(const kg_oa_remark *r, char *out_text, size_t size) {
         return;
     out_text[0] = '\0';
     if (upright && r->lo[1] < 0)
-        add(out_text, size, "back sheet, ");
+        add(out_text, size, N_("back sheet"));
     else if (upright)
-        add(out_text, size, "front at depth %d, ", r->lo[1] + 1);
+        add(out_text, size, N_("front at depth %d"), r->lo[1] + 1);
     else if (level && r->lo[2] < 0)
-        add(out_text, size, "base, ");
+        add(out_text, size, N_("base"));
     else if (level)
-        add(out_text, size, "top at height %d, ", r->lo[2] + 1);
-    add_range(out_text, size, "column", r->lo[0], r->hi[0]);
-    add(out_text, size, ", ");
+        add(out_text, size, N_("top at height %d"), r->lo[2] + 1);
+    add_range(out_text, size, 0, r);
     if (!upright)
-        add_range(out_text, size, "depth", r->lo[1], r->hi[1]);
-    if (!upright && !level)
-        add(out_text, size, ", ");
+        add_range(out_text, size, 1, r);
     if (!level)
-        add_range(out_text, size, "level", r->lo[2], r->hi[2]);
+        add_range(out_text, size, 2, r);
     if (r->mm > 0)
-        add(out_text, size, ", %.3g mm", r->mm);
+        add(out_text, size, "%.3g mm", r->mm);
 }
 
 void kg_oa_remark_say(const kg_oa_remark *remark, char *out_text, size_t size) {
-    kg_oa_remark_place(remark, out_text, size);
-    if (size > 0)
-        add(out_text, size, ": %s; %s", texts[remark->trouble].reason,
-            texts[remark->trouble].advice);
+    char place[160];
+    kg_oa_remark_place(remark, place, sizeof place);
+    kg_text_print(out_text, size, "%s: %s; %s", place, kg_oa_trouble_reason(remark->trouble),
+                  kg_oa_trouble_advice(remark->trouble));
 }
