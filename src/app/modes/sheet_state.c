@@ -1,5 +1,6 @@
 #include "app/modes/sheet_state.h"
 
+#include "app/modes/sheet_thumbs.h"
 #include "app/text.h"
 #include "base/array.h"
 
@@ -286,6 +287,17 @@ kg_status kg_sheets_fold_from_here(kg_editor *e, kg_error *error) {
     return KG_OK;
 }
 
+bool kg_sheets_snapshot(const kg_sheets *s, size_t step, kg_sheets *out) {
+    *out = (kg_sheets){.origami = s->origami, .step = step, .opacity = 1};
+    out->hover_loop = out->hover_edge = out->hover_vertex = -1;
+    lay_out(out);
+    return out->state != NULL;
+}
+
+void kg_sheets_snapshot_clear(kg_sheets *snapshot) {
+    clear_drawn(snapshot);
+}
+
 /* ---- marks ------------------------------------------------------------------------------- */
 
 void kg_sheets_unmark(kg_editor *e) {
@@ -321,7 +333,8 @@ kg_status kg_sheets_create(const kg_document *document, void **out_state, kg_err
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
     s->opacity = 1;
-    s->hover_loop = s->hover_edge = s->hover_vertex = -1;
+    s->next_sheet = (kg_sheet_size){KG_SHEET_SQUARE, 150, 150, 6};
+    s->hover_loop = s->hover_edge = s->hover_vertex = s->sheet = -1;
     *out_state = s;
     return KG_OK;
 }
@@ -329,6 +342,7 @@ kg_status kg_sheets_create(const kg_document *document, void **out_state, kg_err
 void kg_sheets_destroy(void *state) {
     kg_sheets *s = state;
     clear_drawn(s);
+    kg_sheet_thumbs_destroy(s->thumbs);
     kg_origami_destroy(s->origami);
     free(s->loops.items);
     free(s->edges.items);
@@ -364,6 +378,9 @@ void kg_sheets_follow(kg_editor *e) {
         s->fraction = 0;
     }
     lay_out(s);
+    kg_sheet_thumbs_follow(s);
+    if (s->sheet >= (int32_t)kg_origami_sheet_count(copy))
+        s->sheet = -1;
     kg_origami_destroy(was);
 }
 

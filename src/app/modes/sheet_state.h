@@ -17,11 +17,31 @@
 
 #include "app/editor.h"
 
+typedef enum kg_sheet_shape {
+    KG_SHEET_SQUARE,
+    KG_SHEET_RECTANGLE,
+    KG_SHEET_A4,
+    KG_SHEET_TRIANGLE, /* equilateral */
+    KG_SHEET_POLYGON,  /* regular */
+    KG_SHEET_SHAPE_COUNT
+} kg_sheet_shape;
+
+typedef struct kg_sheet_size {
+    kg_sheet_shape shape;
+    double width;  /* mm: of squares and triangles the side, of polygons from corner to corner */
+    double height; /* mm, of rectangles */
+    int sides;     /* of polygons, 3 … KG_SHEET_MOST_SIDES */
+} kg_sheet_size;
+
+enum { KG_SHEET_MOST_SIDES = 64 };
+
 /* Indices of loops, edges or vertices of the state shown. */
 typedef struct kg_sheet_marks {
     int32_t *items;
     size_t count, capacity;
 } kg_sheet_marks;
+
+struct kg_sheet_thumbs;
 
 typedef struct kg_sheets {
     /* What is shown. Set by kg_sheets_show and its like. */
@@ -50,6 +70,15 @@ typedef struct kg_sheets {
     /* What the tool sets: marked ones are drawn strongly, hovered ones (-1: none) lightly. */
     kg_sheet_marks loops, edges, vertices;
     int32_t hover_loop, hover_edge, hover_vertex;
+    int32_t sheet; /* selected, from 0; -1: none */
+
+    struct kg_sheet_thumbs *thumbs; /* NULL: none was needed yet */
+
+    /* Of the panels. */
+    size_t listed;      /* step that the list was scrolled to */
+    const char *edited; /* field of a fold in the user's hands, NULL: none */
+    double wish;        /* what stands in it */
+    kg_sheet_size next_sheet;
 } kg_sheets;
 
 /* The state of the sheet mode; only while the document is of folded sheets. */
@@ -86,6 +115,11 @@ void kg_sheets_unmark(kg_editor *editor); /* all, and what is hovered */
 bool kg_sheets_is_marked(const kg_sheet_marks *marks, int32_t index);
 /* Marks are sets; a mark that no memory is left for is not made. */
 void kg_sheets_mark(kg_sheet_marks *marks, int32_t index, bool on);
+
+/* Another one that shows the sheets after `step` folds, for a picture of its own; clear it after
+ * use, while `sheets` still lives. False without memory. */
+bool kg_sheets_snapshot(const kg_sheets *sheets, size_t step, kg_sheets *out);
+void kg_sheets_snapshot_clear(kg_sheets *snapshot);
 
 /* ---- life: for the mode ------------------------------------------------------------------ */
 

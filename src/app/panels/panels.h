@@ -19,8 +19,17 @@ void kg_panel_net_settings(kg_app *app);                /* a popup of the net vi
 void kg_panel_axes(kg_app *app);                        /* the ball that turns the view */
 bool kg_axes_event(kg_app *app, const kg_event *event); /* true: it was for the ball */
 
+/* The fold being made: buttons of the tool bar, its properties, a label beside the pointer. */
+void kg_panel_fold_buttons(kg_editor *editor);
+void kg_panel_fold(kg_app *app, kg_area area);
+void kg_panel_fold_label(kg_app *app);
+
 void kg_panel_handles(kg_app *app); /* what the mode draws over the 3D view */
 void kg_panel_context_menu(kg_app *app);
+
+void kg_panel_sheets(kg_app *app); /* in the window that is open */
+void kg_panel_steps(kg_app *app);
+void kg_panel_steps_bar(kg_app *app); /* over the 3D view */
 
 /* Dialogs: opened by flags of app->dialogs. */
 void kg_panel_palette(kg_app *app);

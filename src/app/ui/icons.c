@@ -112,6 +112,43 @@ static void tool_icon(const pen *p, kg_icon icon) {
     }
 }
 
+/* A line of dashes. */
+static void dashes(const pen *p, double x0, double y0, double x1, double y1) {
+    for (int i = 0; i < 3; i++) {
+        double a = 0.36 * i, b = a + 0.24;
+        line(p, x0 + a * (x1 - x0), y0 + a * (y1 - y0), x0 + b * (x1 - x0), y0 + b * (y1 - y0));
+    }
+}
+
+static void fold_icon(const pen *p, kg_icon icon) {
+    switch (icon) {
+    case KG_ICON_FOLD_CORNER:
+        PATH(p, true, {2, 2}, {9, 2}, {14, 7}, {14, 14}, {2, 14});
+        PATH(p, false, {9, 2}, {9, 7}, {14, 7});
+        break;
+    case KG_ICON_FOLD_AXIS:
+        PATH(p, true, {2.5, 2.5}, {13.5, 2.5}, {13.5, 13.5}, {2.5, 13.5});
+        dashes(p, 4, 15, 12, 1);
+        dot(p, 5.2, 12.8, 1.6), dot(p, 10.8, 3.2, 1.6);
+        break;
+    case KG_ICON_FOLD_BISECT:
+        line(p, 2, 13.5, 14.5, 13.5), line(p, 2, 13.5, 9, 2);
+        dashes(p, 2, 13.5, 13, 6.5);
+        break;
+    case KG_ICON_FOLD_SQUARE:
+        line(p, 1.5, 13, 14.5, 13);
+        dashes(p, 8, 13, 8, 1);
+        PATH(p, false, {8, 9.8}, {11.2, 9.8}, {11.2, 13});
+        break;
+    case KG_ICON_MOUNTAIN:
+        PATH(p, false, {1.5, 12.5}, {8, 4}, {14.5, 12.5});
+        break;
+    default:
+        PATH(p, false, {1.5, 4}, {8, 12.5}, {14.5, 4});
+        break;
+    }
+}
+
 /* A cube, with its upper face and two sides. */
 static void cube(const pen *p, double x, double y, double r) {
     PATH(p, true, {x, y - r}, {x + 0.87 * r, y - r / 2}, {x + 0.87 * r, y + r / 2}, {x, y + r},
@@ -212,6 +249,14 @@ void kg_icon_draw(kg_icon icon, kg_area area, kg_color color) {
     case KG_ICON_NEXT:
     case KG_ICON_LAST:
         player_icon(&p, icon);
+        break;
+    case KG_ICON_FOLD_CORNER:
+    case KG_ICON_FOLD_AXIS:
+    case KG_ICON_FOLD_BISECT:
+    case KG_ICON_FOLD_SQUARE:
+    case KG_ICON_MOUNTAIN:
+    case KG_ICON_VALLEY:
+        fold_icon(&p, icon);
         break;
     case KG_ICON_CHECK:
         PATH(&p, false, {2.5, 8.5}, {6.5, 12.5}, {13.5, 4});
