@@ -27,6 +27,9 @@ extern "C" {
 #define KG_PRINTF(f, a)
 #endif
 
+/* Coordinates beyond this (mm) are refused: farther out doubles no longer hold 1e-9 mm. */
+#define KG_MAX_COORDINATE 1e6
+
 typedef enum kg_status {
     KG_OK = 0,
     KG_ERR_MEMORY,    /* an allocation failed */

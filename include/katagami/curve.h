@@ -17,9 +17,6 @@ enum {
     KG_DARBOUX_MAX_COUNT = 19 /* coefficients of a quintic's Darboux polynomial, degree 18 */
 };
 
-/* Coordinates beyond this (mm) are refused: farther out doubles no longer hold 1e-9 mm. */
-#define KG_MAX_COORDINATE 1e6
-
 typedef struct kg_curve {
     int degree; /* 3 or 5 */
     kg_vec3 points[KG_CURVE_MAX_POINTS];

@@ -146,9 +146,18 @@ KG_API kg_status kg_document_unroll_to_fit(const kg_document *document,
                                            kg_document_net *out_net, kg_error *error) KG_CHECKED;
 KG_API void kg_document_net_clear(kg_document_net *net);
 
-/* Net options as the document asks for them. KG_ERR_INPUT: an unknown paper. */
-KG_API kg_status kg_document_net_options(const kg_document *document, kg_net_options *out_options,
+/* What the document says of its net. */
+KG_API kg_net_settings *kg_document_net_settings(kg_document *document);
+/* Net options as the document asks for them; cards and sheets are one part that speaks for itself,
+ * without tabs and without labels but where they are asked for. KG_ERR_INPUT: an unknown paper. */
+KG_API kg_status kg_document_net_options(kg_document *document, kg_net_options *out_options,
                                          double *out_tab_width, kg_error *error) KG_CHECKED;
+/* What the parts have to be at scale 1 so that they are as wished on the page. */
+KG_API kg_parts_options kg_document_parts_options(kg_document *document,
+                                                  const kg_net_options *options, double tab_width);
+/* Chord error to solve with before the net is drawn: a fifth of the tolerance at the written size,
+ * mm. */
+KG_API double kg_document_net_chord(const kg_net_options *options);
 
 /* The surface: one group per patch in document order, fronts outward, colours of the palette given
  * by `color` (linear RGBA of group i; NULL: grey). Constructions are left out. A card stands as

@@ -9,6 +9,7 @@
 #ifndef KATAGAMI_MODEL_H
 #define KATAGAMI_MODEL_H
 
+#include "katagami/net.h"
 #include "katagami/trim.h"
 
 #ifdef __cplusplus
@@ -16,9 +17,6 @@ extern "C" {
 #endif
 
 struct json_t;
-
-/* The file format this version writes. */
-#define KG_MODEL_VERSION 1
 
 /* Greatest chord error of crossings and loops, mm: a fifth of what nets are written to. */
 #define KG_MODEL_TOLERANCE 0.002
@@ -84,21 +82,12 @@ typedef struct kg_model_join {
     struct json_t *json;
 } kg_model_join;
 
-/* How nets of this model are written unless a command says otherwise. */
-typedef struct kg_model_net {
-    char *paper;      /* "A4", "210x297", "none"; NULL: A4 */
-    double margin;    /* mm, default 8 */
-    double scale;     /* default 1 */
-    double tab_width; /* mm, default 5 */
-    size_t join_count;
-    kg_model_join *joins;
-    struct json_t *json;
-} kg_model_net;
-
 typedef struct kg_model {
     char *title; /* never NULL */
     kg_reference reference;
-    kg_model_net net;
+    kg_net_settings net;
+    size_t join_count;
+    kg_model_join *joins; /* of the net */
     size_t patch_count;
     kg_model_patch *patches;
     struct json_t *json;

@@ -224,6 +224,33 @@ KG_API kg_status kg_net_preset_parse(const char *text, kg_net_preset *out_preset
 KG_API kg_status kg_net_paper_parse(const char *text, kg_vec2 *out_paper,
                                     kg_error *error) KG_CHECKED;
 
+/* ---- settings --------------------------------------------------------------------------- */
+
+struct json_t;
+
+/* What a model file of any kind says of its net. */
+typedef struct kg_net_settings {
+    char *paper;         /* as kg_net_paper_parse takes it; NULL: A4 */
+    double margin;       /* mm, usually 8 */
+    double scale;        /* usually 1 */
+    double tab_width;    /* mm, usually 5; 0: without tabs */
+    struct json_t *json; /* the object as it was read, with all else that it says; may be NULL */
+} kg_net_settings;
+
+KG_API kg_net_settings kg_net_settings_default(void);
+/* Frees what they hold and makes them the default. */
+KG_API void kg_net_settings_clear(kg_net_settings *settings);
+/* False when memory runs out; the copy is to be cleared all the same. */
+KG_API bool kg_net_settings_copy(const kg_net_settings *from, kg_net_settings *out_copy);
+KG_API bool kg_net_settings_equal(const kg_net_settings *a, const kg_net_settings *b);
+
+/* Net options as the settings ask for them. KG_ERR_INPUT: an unknown word or a wrong kind of value.
+ */
+KG_API kg_status kg_net_settings_options(const kg_net_settings *settings,
+                                         kg_net_options *out_options, kg_error *error) KG_CHECKED;
+/* The preset that they name, KG_PRESET_PRINT when it is none that is known. */
+KG_API kg_net_preset kg_net_settings_preset(const kg_net_settings *settings);
+
 /* ---- pages ------------------------------------------------------------------------------ */
 
 typedef struct kg_net_layout {

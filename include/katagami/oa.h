@@ -27,9 +27,6 @@ enum { KG_OA_MAX_SIZE = 2048, KG_OA_MAX_MARGIN = 512 };
 /* Paper narrower than this tears when it is folded or lifted, mm; of cards that do not say. */
 #define KG_OA_TINY 2.0
 
-/* Version of the file format that is read and written. */
-enum { KG_OA_VERSION = 1 };
-
 /* ---- cards ------------------------------------------------------------------------------ */
 
 /* A card as it is kept in a file. Level z of column x is entry x * height + z of `depth` and
@@ -43,8 +40,7 @@ typedef struct kg_oa {
     bool diagonals;         /* 45° folds wherever they hold */
     int margin_cells;       /* plain sheet on each side of the drawn net */
     char *title;
-    char *paper; /* of the net: as kg_net_paper_parse takes it; NULL: A4 */
-    double margin, scale;
+    kg_net_settings net;
     double tiny_mm;      /* folds and strips narrower than this on paper are remarked on */
     struct json_t *json; /* the file's object as it was read: keeps unknown keys; may be NULL */
 } kg_oa;

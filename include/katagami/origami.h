@@ -322,12 +322,8 @@ KG_API kg_status kg_origami_write_memory(const kg_origami *origami, char **out_t
                                          size_t *out_size, kg_error *error) KG_CHECKED;
 /* Never NULL. */
 KG_API const char *kg_origami_title(const kg_origami *origami);
-/* The value of a key of the model file beside its title and origami, such as "net"; NULL: none.
- * Borrowed, and not to be changed. */
-KG_API const struct json_t *kg_origami_key(const kg_origami *origami, const char *key);
-/* Replaces it, or takes it out (`value` NULL). Takes `value` over, also on failure. */
-KG_API kg_status kg_origami_set_key(kg_origami *origami, const char *key, struct json_t *value,
-                                    kg_error *error) KG_CHECKED;
+/* How nets of it are written unless a command says otherwise. */
+KG_API kg_net_settings *kg_origami_net_settings(kg_origami *origami);
 KG_API kg_status kg_origami_set_title(kg_origami *origami, const char *title,
                                       kg_error *error) KG_CHECKED;
 

@@ -1,16 +1,13 @@
 #include "app/export.h"
 
-#include "document/net_settings.h"
-
 #include <string.h>
 #include <strings.h>
 
 kg_status kg_export_net(kg_document *document, const kg_net_options *options, double tab_width,
                         const char *path, const kg_progress *progress, kg_error *error) {
     kg_document_net net;
-    const kg_model *model = kg_document_model(document);
-    kg_parts_options parts = kg_net_settings_parts(model ? &model->net : NULL, options, tab_width);
-    kg_status status = kg_document_solve(document, kg_net_settings_chord(options), error);
+    kg_parts_options parts = kg_document_parts_options(document, options, tab_width);
+    kg_status status = kg_document_solve(document, kg_document_net_chord(options), error);
     if (!status)
         status = kg_document_unroll_to_fit(document, &parts, &net, error);
     if (status)

@@ -1,7 +1,6 @@
 #include "app/net_state.h"
 
 #include "app/export.h"
-#include "document/net_settings.h"
 #include "document/pin.h"
 #include "net/clash.h"
 #include "net/sheet.h"
@@ -105,8 +104,7 @@ static kg_status lay_out(job *j, kg_net_picture *p, kg_error *error) {
 
 static kg_status unroll(kg_document *document, const kg_net_options *options, double tab_width,
                         kg_document_net *out_net, kg_error *error) {
-    const kg_model *model = kg_document_model(document);
-    kg_parts_options parts = kg_net_settings_parts(model ? &model->net : NULL, options, tab_width);
+    kg_parts_options parts = kg_document_parts_options(document, options, tab_width);
     return kg_document_unroll_to_fit(document, &parts, out_net, error);
 }
 
@@ -115,7 +113,7 @@ static kg_status make(job *j, kg_net_picture *p, kg_error *error) {
     kg_status status = kg_document_net_options(j->document, &p->options, &tab_width, error);
     if (status)
         return status;
-    double chord = j->rough ? KG_EDITOR_CHORD : kg_net_settings_chord(&p->options);
+    double chord = j->rough ? KG_EDITOR_CHORD : kg_document_net_chord(&p->options);
     p->rough = j->rough;
     if (!(status = kg_document_solve(j->document, chord, error)))
         status = unroll(j->document, &p->options, tab_width, &p->net, error);

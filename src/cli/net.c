@@ -2,7 +2,6 @@
 #include "base/file.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "document/net_settings.h"
 #include "katagami/guide.h"
 #include "net/clash.h"
 
@@ -46,7 +45,7 @@ static int parse_labels(const char *text, kg_net_labels *out) {
 }
 
 /* Fills the options from the document and the command line; -1 to go on, else an exit code. */
-static int read_options(const kg_arguments *a, const kg_document *document, kg_net_options *out,
+static int read_options(const kg_arguments *a, kg_document *document, kg_net_options *out,
                         double *tab_width) {
     kg_error error;
     const char *text;
@@ -98,8 +97,7 @@ static int read_options(const kg_arguments *a, const kg_document *document, kg_n
 
 static kg_parts_options parts_options(const kg_arguments *a, kg_document *document,
                                       const kg_net_options *settings, double tab_width) {
-    const kg_model *model = kg_document_model(document);
-    kg_parts_options parts = kg_net_settings_parts(model ? &model->net : NULL, settings, tab_width);
+    kg_parts_options parts = kg_document_parts_options(document, settings, tab_width);
     if (kg_arguments_get(a, "no-split"))
         parts.room = kg_v2(0, 0);
     parts.merge = parts.merge || kg_arguments_get(a, "merge");
@@ -202,9 +200,9 @@ static kg_status write_files(const kg_document *document, kg_document_net *net,
 static kg_status write_net(kg_document *document, const kg_net_options *settings,
                            const kg_parts_options *parts, const outputs *out, kg_error *error) {
     kg_document_net net = {0};
-    double chord = kg_net_settings_chord(settings);
+    double chord = kg_document_net_chord(settings);
     if (kg_document_oa(document)) /* what is too narrow is so at the size it is drawn in */
-        kg_document_oa(document)->scale = settings->scale;
+        kg_document_oa(document)->net.scale = settings->scale;
     kg_status status = kg_document_solve(document, chord, error);
     if (!status)
         status = kg_document_unroll_to_fit(document, parts, &net, error);

@@ -1,6 +1,5 @@
 /* Nets of documents: unrolled, with tabs and all remarks. */
 #include "document/document.h"
-#include "document/net_settings.h"
 #include "document/pin.h"
 #include "katagami/unroll.h"
 #include "net/merge.h"
@@ -12,65 +11,37 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A card is one part that speaks for itself, without tabs or labels but where they are asked for.
- */
-static kg_status card_options(const kg_oa *oa, kg_net_options *out_options, double *out_tab_width,
-                              kg_error *error) {
-    json_t *json = json_object_get(oa->json, "net");
-    kg_model_net net = {.paper = oa->paper, .margin = oa->margin, .scale = oa->scale, .json = json};
-    kg_status status = kg_net_settings_read(&net, out_options, error);
-    if (status)
-        return status;
-    if (!json_object_get(json, "labels"))
-        out_options->labels = KG_LABELS_NONE;
-    *out_tab_width = 0;
-    return KG_OK;
+kg_net_settings *kg_document_net_settings(kg_document *d) {
+    return d->model  ? &d->model->net
+           : d->card ? &d->card->oa->net
+                     : kg_origami_net_settings(d->folded->origami);
 }
 
-static kg_status read_length(const json_t *net, const char *key, double lo, double hi,
-                             double *value, kg_error *error) {
-    const json_t *v = json_object_get(net, key);
-    double x = v ? json_number_value(v) : *value;
-    if ((v && !json_is_number(v)) || !(x >= lo && x <= hi))
-        return kg_fail(error, KG_ERR_INPUT, "net: \"%s\" has to be %g to %g", key, lo, hi);
-    *value = x;
-    return KG_OK;
-}
-
-/* The file's "net" object, as models have it; crease patterns speak for themselves, too. */
-static kg_status sheet_options(const kg_origami *origami, kg_net_options *out_options,
-                               double *out_tab_width, kg_error *error) {
-    kg_net_options plain = kg_net_options_default();
-    const json_t *json = kg_origami_key(origami, "net");
-    kg_model_net net = {.margin = plain.margin, .scale = plain.scale};
-    const json_t *paper = json_object_get(json, "paper");
-    if (json && (!json_is_object(json) || (paper && !json_is_string(paper))))
-        return kg_fail(error, KG_ERR_INPUT, "net: it is { \"paper\": \"A4\", … }");
-    net.json = (json_t *)(uintptr_t)json; /* read only */
-    net.paper = (char *)(uintptr_t)json_string_value(paper);
-    kg_status status = read_length(json, "margin", 0, 1e4, &net.margin, error);
-    if (!status)
-        status = read_length(json, "scale", 1e-6, 1e6, &net.scale, error);
-    if (!status)
-        status = kg_net_settings_read(&net, out_options, error);
-    if (status)
-        return status;
-    if (!json_object_get(json, "labels"))
-        out_options->labels = KG_LABELS_NONE;
-    *out_tab_width = 0;
-    return KG_OK;
-}
-
-kg_status kg_document_net_options(const kg_document *d, kg_net_options *out_options,
+kg_status kg_document_net_options(kg_document *d, kg_net_options *out_options,
                                   double *out_tab_width, kg_error *error) {
-    if (d->folded)
-        return sheet_options(d->folded->origami, out_options, out_tab_width, error);
-    if (d->card)
-        return card_options(d->card->oa, out_options, out_tab_width, error);
-    kg_status status = kg_net_settings_read(&d->model->net, out_options, error);
-    if (!status)
-        *out_tab_width = d->model->net.tab_width;
-    return status;
+    const kg_net_settings *settings = kg_document_net_settings(d);
+    kg_status status = kg_net_settings_options(settings, out_options, error);
+    if (status)
+        return status;
+    if (!d->model && !json_object_get(settings->json, "labels"))
+        out_options->labels = KG_LABELS_NONE;
+    *out_tab_width = d->model ? settings->tab_width : 0;
+    return KG_OK;
+}
+
+kg_parts_options kg_document_parts_options(kg_document *d, const kg_net_options *options,
+                                           double tab_width) {
+    double rims = 2 * options->margin;
+    kg_parts_options parts = {.tab_width = tab_width / options->scale};
+    if (options->paper.x > 0)
+        parts.room = kg_v2((options->paper.x - rims) / options->scale,
+                           (options->paper.y - rims) / options->scale);
+    parts.merge = json_is_true(json_object_get(kg_document_net_settings(d)->json, "merge"));
+    return parts;
+}
+
+double kg_document_net_chord(const kg_net_options *options) {
+    return fmin(KG_NET_CHORD, 0.2 * options->tolerance / options->scale);
 }
 
 static kg_status add_remark(kg_document_net *net, int64_t source, const char *code,
@@ -113,8 +84,8 @@ static kg_status add_tabs(kg_document_net *net, const kg_unrolled *unrolled, dou
 static bool *merge_wishes(const kg_model *model, const kg_net *net) {
     bool *wanted = calloc(net->join_count + 1, sizeof *wanted);
     for (size_t i = 0; i < net->join_count && wanted; i++)
-        for (size_t k = 0; k < model->net.join_count; k++) {
-            const kg_model_join *j = &model->net.joins[k];
+        for (size_t k = 0; k < model->join_count; k++) {
+            const kg_model_join *j = &model->joins[k];
             const int64_t *s = net->joins[i].sources;
             if (j->merge && ((j->patches[0] == s[0] && j->patches[1] == s[1]) ||
                              (j->patches[0] == s[1] && j->patches[1] == s[0])))

@@ -1,6 +1,6 @@
 #include "document/pin.h"
 
-#include "document/net_settings.h"
+#include "net/settings.h"
 
 #include <jansson.h>
 
@@ -104,18 +104,17 @@ kg_status kg_pin_remove(kg_model *model, int64_t patch, size_t piece, kg_error *
 }
 
 kg_status kg_pin_forget_patch(kg_model *model, int64_t patch, kg_error *error) {
-    kg_model_net *net = &model->net;
     kg_status status = kg_pin_remove(model, patch, KG_PIN_ALL, error);
     if (status)
         return status;
     size_t kept = 0;
-    for (size_t i = 0; i < net->join_count; i++) {
-        kg_model_join *join = &net->joins[i];
+    for (size_t i = 0; i < model->join_count; i++) {
+        kg_model_join *join = &model->joins[i];
         if (join->patches[0] == patch || join->patches[1] == patch)
             json_decref(join->json);
         else
-            net->joins[kept++] = *join;
+            model->joins[kept++] = *join;
     }
-    net->join_count = kept;
+    model->join_count = kept;
     return KG_OK;
 }

@@ -343,10 +343,8 @@ static bool same_join(const kg_model_join *a, const kg_model_join *b) {
            same_json(a->json, b->json);
 }
 
-static bool same_net(const kg_model_net *a, const kg_model_net *b) {
-    bool same = same_text(a->paper, b->paper) && a->margin == b->margin && a->scale == b->scale &&
-                a->tab_width == b->tab_width && same_json(a->json, b->json) &&
-                a->join_count == b->join_count;
+static bool same_joins(const kg_model *a, const kg_model *b) {
+    bool same = a->join_count == b->join_count;
     for (size_t i = 0; same && i < a->join_count; i++)
         same = same_join(&a->joins[i], &b->joins[i]);
     return same;
@@ -358,8 +356,8 @@ bool kg_model_equal(const kg_model *a, const kg_model *b) {
         r->size_mm != s->size_mm || r->up_y != s->up_y || r->visible != s->visible ||
         r->opacity != s->opacity || r->has_matrix != s->has_matrix ||
         (r->has_matrix && memcmp(r->matrix, s->matrix, sizeof r->matrix) != 0) ||
-        !same_json(r->json, s->json) || !same_net(&a->net, &b->net) ||
-        !same_json(a->json, b->json) || a->patch_count != b->patch_count)
+        !same_json(r->json, s->json) || !kg_net_settings_equal(&a->net, &b->net) ||
+        !same_joins(a, b) || !same_json(a->json, b->json) || a->patch_count != b->patch_count)
         return false;
     for (size_t i = 0; i < a->patch_count; i++)
         if (!kg_model_patch_equal(&a->patches[i], &b->patches[i]))

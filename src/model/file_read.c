@@ -2,18 +2,36 @@
 #include "katagami/model.h"
 
 #include "base/file.h"
+#include "base/reader.h"
 #include "model/lookup.h"
-#include "model/reader.h"
+#include "net/settings.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* What messages name besides file and line. */
+static void print_patch(const void *patch, char *out, size_t size) {
+    const int64_t *id = patch;
+    snprintf(out, size, "patch %lld: ", (long long)*id);
+}
+
+static void enter_patch(kg_reader *r, const kg_model_patch *p) {
+    r->place = print_patch;
+    r->owner = &p->id;
+}
+
+static void leave_patch(kg_reader *r) {
+    r->place = NULL;
+    r->owner = NULL;
+}
 
 /* ---- trims ------------------------------------------------------------------------------ */
 
 static kg_status read_cutter(kg_reader *r, const json_t *v, kg_trim_op *op) {
     if (!json_is_integer(v))
         return kg_read_fail(r, "a patch id (a whole number) is wanted here");
-    if (json_integer_value(v) == r->patch)
+    if (json_integer_value(v) == *(const int64_t *)r->owner)
         return kg_read_fail(r, "a patch cannot cut itself");
     op->by[op->by_count++] = json_integer_value(v);
     return KG_OK;
@@ -179,8 +197,8 @@ static kg_status read_patch(kg_reader *r, const json_t *v, kg_model_patch *p) {
     if (json_integer_value(id) < 1)
         return kg_read_fail(r, "ids start at 1, so there is no patch %lld",
                             (long long)json_integer_value(id));
-    p->id = r->patch = json_integer_value(id);
-    r->in_patch = true;
+    p->id = json_integer_value(id);
+    enter_patch(r, p);
     p->json = kg_read_keep(v);
     p->name = strdup("");
     kg_status status = p->name ? kg_read_string(r, v, "name", &p->name) : KG_ERR_MEMORY;
@@ -198,7 +216,7 @@ static kg_status read_patch(kg_reader *r, const json_t *v, kg_model_patch *p) {
         status = kg_read_bool(r, v, "construction", &p->construction);
     if (!status)
         status = read_trims(r, json_object_get(v, "trims"), p);
-    r->in_patch = false;
+    leave_patch(r);
     return status;
 }
 
@@ -232,11 +250,10 @@ static kg_status check_ids(kg_reader *r, const kg_model *m) {
         kg_read_enter(r, NULL, i);
         if (kg_lookup_find(&ids, p->id)->index != i)
             status = kg_read_fail(r, "two patches have the id %lld", (long long)p->id);
-        r->patch = p->id;
-        r->in_patch = true;
+        enter_patch(r, p);
         if (!status)
             status = check_cutters(r, p, &ids);
-        r->in_patch = false;
+        leave_patch(r);
         kg_read_leave(r);
     }
     kg_lookup_clear(&ids);
@@ -342,116 +359,59 @@ static kg_status read_join(kg_reader *r, const json_t *v, kg_model_join *join) {
 }
 
 /* Joins of patches that are gone are kept: they do no harm, and may come back. */
-static kg_status read_joins(kg_reader *r, const json_t *v, kg_model_net *net) {
+static kg_status read_joins(kg_reader *r, kg_model *m) {
+    const json_t *v = json_object_get(m->net.json, "joins");
     if (!v)
         return KG_OK;
+    kg_read_enter(r, "net", 0);
     kg_read_enter(r, "joins", 0);
     kg_status status = json_is_array(v) ? KG_OK : kg_read_fail(r, "\"joins\" is a list");
     size_t n = json_array_size(v);
-    if (!status && !(net->joins = calloc(n + 1, sizeof *net->joins)))
+    if (!status && !(m->joins = calloc(n + 1, sizeof *m->joins)))
         status = KG_ERR_MEMORY;
     for (size_t i = 0; i < n && !status; i++) {
         kg_read_enter(r, NULL, i);
-        net->join_count++;
-        status = read_join(r, json_array_get(v, i), &net->joins[i]);
+        m->join_count++;
+        status = read_join(r, json_array_get(v, i), &m->joins[i]);
         kg_read_leave(r);
     }
     kg_read_leave(r);
-    return status;
-}
-
-static kg_status read_net(kg_reader *r, const json_t *root, kg_model_net *net) {
-    const json_t *v = NULL;
-    kg_status status = kg_read_object(r, root, "net", &v);
-    if (status || !v)
-        return status;
-    kg_read_enter(r, "net", 0);
-    net->json = kg_read_keep(v);
-    status = kg_read_string(r, v, "paper", &net->paper);
-    if (!status)
-        status = kg_read_double(r, v, "margin", &net->margin);
-    if (!status)
-        status = kg_read_double(r, v, "scale", &net->scale);
-    if (!status)
-        status = kg_read_double(r, v, "tab_width", &net->tab_width);
-    if (!status)
-        status = read_joins(r, json_object_get(v, "joins"), net);
-    if (!status && !(net->margin >= 0 && net->scale > 0 && net->tab_width > 0))
-        status =
-            kg_read_fail(r, "\"scale\" and \"tab_width\" are above 0, \"margin\" is not negative");
     kg_read_leave(r);
     return status;
 }
 
-/* Version and kind: is this a file for this reader at all? */
-static kg_status check_header(kg_reader *r, const json_t *root) {
-    const json_t *version = json_object_get(root, "katagami");
-    const char *kind = json_string_value(json_object_get(root, "kind"));
-    if (!json_is_object(root) || !json_is_integer(version))
-        return kg_read_fail(r, "this is no katagami model: it must begin with {\"katagami\": 1, "
-                               "\"kind\": \"patches\", …}");
-    kg_read_enter(r, "katagami", 0);
-    if (json_integer_value(version) > KG_MODEL_VERSION)
-        return kg_read_fail(
-            r,
-            "the model was written by a newer katagami (format %lld, this one reads "
-            "up to %d); update katagami",
-            (long long)json_integer_value(version), KG_MODEL_VERSION);
-    if (json_integer_value(version) < 1)
-        return kg_read_fail(r, "there is no format %lld", (long long)json_integer_value(version));
-    kg_read_leave(r);
-    kg_read_enter(r, "kind", 0);
-    if (!kind || strcmp(kind, "patches"))
-        return kg_read_fail(r, "a patch model has \"kind\": \"patches\"%s%s%s",
-                            kind ? ", this one is \"" : "", kind ? kind : "", kind ? "\"" : "");
-    kg_read_leave(r);
-    return KG_OK;
-}
-
-static kg_status read_root(kg_reader *r, const json_t *root, kg_model *m) {
-    kg_status status = check_header(r, root);
+static kg_status read_root(kg_reader *r, kg_model *m) {
+    kg_status status = kg_read_header(r, "patches", "a patch model");
     if (status)
         return status;
-    m->json = json_copy((json_t *)(uintptr_t)root);
+    m->json = json_copy(r->root);
     if (!m->json || json_object_set_new(m->json, "patches", json_array()))
         return KG_ERR_MEMORY; /* each patch keeps its own */
-    status = kg_read_string(r, root, "title", &m->title);
+    status = kg_read_string(r, r->root, "title", &m->title);
     if (!status)
-        status = read_reference(r, root, &m->reference);
+        status = read_reference(r, r->root, &m->reference);
     if (!status)
-        status = read_net(r, root, &m->net);
+        status = kg_net_settings_parse(r, r->root, &m->net);
     if (!status)
-        status = read_patches(r, root, m);
+        status = read_joins(r, m);
+    if (!status)
+        status = read_patches(r, r->root, m);
     return status;
 }
 
 kg_status kg_model_read_memory(const char *data, size_t size, const char *name,
                                kg_model **out_model, kg_error *error) {
-    json_error_t where;
-    if (size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0)
-        data += 3, size -= 3; /* the mark that some editors put in front */
-    json_t *root = json_loadb(data, size, JSON_REJECT_DUPLICATES, &where);
-    if (!root)
-        return kg_fail(
-            error, KG_ERR_PARSE, "%s:%d: %s%s", name, where.line < 1 ? 1 : where.line, where.text,
-            json_error_code(&where) == json_error_invalid_utf8 ? "; save the file as UTF-8" : "");
-    char *text = malloc(size + 1); /* zero-terminated for the search of lines */
+    kg_reader r;
+    kg_status status = kg_read_begin(&r, data, size, name, error);
+    if (status)
+        return status;
     kg_model *m = kg_model_create();
-    kg_status status = KG_ERR_MEMORY;
-    if (text && m) {
-        memcpy(text, data, size);
-        text[size] = '\0';
-        kg_reader r = {.name = name, .text = text, .error = error};
-        status = read_root(&r, root, m);
-    }
-    free(text);
-    json_decref(root);
-    if (status) {
+    status = kg_read_end(&r, m ? read_root(&r, m) : KG_ERR_MEMORY);
+    if (status)
         kg_model_destroy(m);
-        return status == KG_ERR_MEMORY ? kg_fail(error, status, "%s: out of memory", name) : status;
-    }
-    *out_model = m;
-    return KG_OK;
+    else
+        *out_model = m;
+    return status;
 }
 
 kg_status kg_model_read(const char *path, kg_model **out_model, kg_error *error) {

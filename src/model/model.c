@@ -28,9 +28,7 @@ kg_model *kg_model_create(void) {
         return NULL;
     m->reference.visible = true;
     m->reference.opacity = 0.4;
-    m->net.margin = 8;
-    m->net.scale = 1;
-    m->net.tab_width = 5;
+    m->net = kg_net_settings_default();
     m->title = strdup("");
     if (!m->title) {
         free(m);
@@ -48,11 +46,10 @@ void kg_model_destroy(kg_model *m) {
     free(m->title);
     free(m->reference.file);
     json_decref(m->reference.json);
-    for (size_t i = 0; i < m->net.join_count; i++)
-        json_decref(m->net.joins[i].json);
-    free(m->net.joins);
-    free(m->net.paper);
-    json_decref(m->net.json);
+    for (size_t i = 0; i < m->join_count; i++)
+        json_decref(m->joins[i].json);
+    free(m->joins);
+    kg_net_settings_clear(&m->net);
     json_decref(m->json);
     free(m);
 }
@@ -107,19 +104,18 @@ kg_model *kg_model_copy(const kg_model *from) {
     *to = *from;
     to->json = json_incref(from->json);
     to->reference.json = json_incref(from->reference.json);
-    to->net.json = json_incref(from->net.json);
-    to->title = to->reference.file = to->net.paper = NULL;
-    to->net.joins = NULL;
-    to->net.join_count = 0;
+    to->title = to->reference.file = NULL;
+    to->net = (kg_net_settings){0};
+    to->joins = NULL;
+    to->join_count = 0;
     to->patch_count = 0;
     to->patches = calloc(from->patch_count + 1, sizeof *to->patches);
     bool ok = to->patches && copy_text(from->title, &to->title) &&
               copy_text(from->reference.file, &to->reference.file) &&
-              copy_text(from->net.paper, &to->net.paper) &&
-              copy_array(from->net.joins, from->net.join_count, sizeof *from->net.joins,
-                         (void **)&to->net.joins);
-    for (size_t i = 0; i < from->net.join_count && ok; i++, to->net.join_count = i)
-        json_incref(to->net.joins[i].json);
+              kg_net_settings_copy(&from->net, &to->net) &&
+              copy_array(from->joins, from->join_count, sizeof *from->joins, (void **)&to->joins);
+    for (size_t i = 0; i < from->join_count && ok; i++, to->join_count = i)
+        json_incref(to->joins[i].json);
     for (size_t i = 0; i < from->patch_count && ok; i++) {
         to->patch_count++;
         ok = copy_patch(&from->patches[i], &to->patches[i]);
@@ -139,10 +135,10 @@ kg_model_patch *kg_model_find(const kg_model *model, int64_t id) {
 }
 
 const kg_model_join *kg_model_find_join(const kg_model *model, int64_t a, int64_t b) {
-    for (size_t i = 0; i < model->net.join_count; i++) {
-        const int64_t *p = model->net.joins[i].patches;
+    for (size_t i = 0; i < model->join_count; i++) {
+        const int64_t *p = model->joins[i].patches;
         if ((p[0] == a && p[1] == b) || (p[0] == b && p[1] == a))
-            return &model->net.joins[i];
+            return &model->joins[i];
     }
     return NULL;
 }

@@ -1,36 +1,8 @@
 /* Cards to JSON: what was read, with what this version knows put in its place. */
 #include "katagami/oa.h"
 
-#include "base/file.h"
-#include "base/json.h"
-
-#include <stdlib.h>
-#include <string.h>
-
-/* A shallow copy of the object kept under `key`, or a new one. */
-static json_t *start(const json_t *kept, const char *key) {
-    const json_t *object = key ? json_object_get(kept, key) : kept;
-    return json_is_object(object) ? json_copy((json_t *)(uintptr_t)object) : json_object();
-}
-
-/* Sets a member and takes over `value`; false when memory ran out anywhere. */
-static bool set(json_t *object, const char *key, json_t *value) {
-    return json_object_set_new(object, key, value) == 0;
-}
-
-/* Sets a member that need not be written while it has its default and is not there yet. */
-static bool set_unless(json_t *object, const char *key, bool is_default, json_t *value) {
-    if (is_default && !json_object_get(object, key)) {
-        json_decref(value);
-        return true;
-    }
-    return set(object, key, value);
-}
-
-/* Whole numbers without a decimal point, as people write them. */
-static json_t *number(double x) {
-    return x == floor(x) ? json_integer((json_int_t)x) : json_real(x);
-}
+#include "base/writer.h"
+#include "net/settings.h"
 
 static json_t *depths(const kg_oa *oa) {
     json_t *columns = json_array();
@@ -62,69 +34,36 @@ static json_t *faces(const unsigned char *flags, int width, int levels) {
 }
 
 static json_t *write_card(const kg_oa *oa) {
-    json_t *o = start(oa->json, "oa");
+    json_t *o = kg_write_start(json_object_get(oa->json, "oa"));
     json_t *windows = faces(oa->window, oa->width, oa->height);
     json_t *omitted = faces(oa->omitted, oa->width, oa->height + 1);
     bool ok =
         o && windows && omitted &&
-        set(o, "size", json_pack("[i, i, i]", oa->width, oa->depth_limit, oa->height)) &&
-        set(o, "cell_mm", number(oa->cell_mm)) && set(o, "depth", depths(oa)) &&
-        set_unless(o, "windows", json_array_size(windows) == 0, json_incref(windows)) &&
-        set_unless(o, "omitted", json_array_size(omitted) == 0, json_incref(omitted)) &&
-        set_unless(o, "diagonals", !oa->diagonals, json_boolean(oa->diagonals)) &&
-        set_unless(o, "margin_cells", oa->margin_cells == 0, json_integer(oa->margin_cells)) &&
-        set_unless(o, "tiny_mm", oa->tiny_mm == KG_OA_TINY, number(oa->tiny_mm));
+        kg_write(o, "size", json_pack("[i, i, i]", oa->width, oa->depth_limit, oa->height)) &&
+        kg_write(o, "cell_mm", kg_write_number(oa->cell_mm)) && kg_write(o, "depth", depths(oa)) &&
+        kg_write_unless(o, "windows", json_array_size(windows) == 0, json_incref(windows)) &&
+        kg_write_unless(o, "omitted", json_array_size(omitted) == 0, json_incref(omitted)) &&
+        kg_write_unless(o, "diagonals", !oa->diagonals, json_boolean(oa->diagonals)) &&
+        kg_write_unless(o, "margin_cells", oa->margin_cells == 0, json_integer(oa->margin_cells)) &&
+        kg_write_unless(o, "tiny_mm", oa->tiny_mm == KG_OA_TINY, kg_write_number(oa->tiny_mm));
     json_decref(windows);
     json_decref(omitted);
-    if (ok)
-        return o;
-    json_decref(o);
-    return NULL;
-}
-
-static json_t *write_net(const kg_oa *oa) {
-    json_t *o = start(oa->json, "net");
-    bool ok = o && set_unless(o, "paper", !oa->paper, json_string(oa->paper ? oa->paper : "A4")) &&
-              set_unless(o, "margin", oa->margin == 8, number(oa->margin)) &&
-              set_unless(o, "scale", oa->scale == 1, number(oa->scale));
-    if (ok)
-        return o;
-    json_decref(o);
-    return NULL;
+    return kg_write_end(o, ok);
 }
 
 static json_t *write_root(const kg_oa *oa) {
-    json_t *o = start(oa->json, NULL), *net = write_net(oa);
-    bool ok = o && net && set(o, "katagami", json_integer(KG_OA_VERSION)) &&
-              set(o, "kind", json_string("oa")) &&
-              set_unless(o, "title", oa->title[0] == '\0', json_string(oa->title)) &&
-              set_unless(o, "net", json_object_size(net) == 0, json_incref(net)) &&
-              set(o, "oa", write_card(oa));
+    json_t *o = kg_write_start(oa->json), *net = kg_net_settings_json(&oa->net);
+    bool ok = o && net && kg_write_header(o, "oa", oa->title) &&
+              kg_write_unless(o, "net", json_object_size(net) == 0, json_incref(net)) &&
+              kg_write(o, "oa", write_card(oa));
     json_decref(net);
-    if (ok)
-        return o;
-    json_decref(o);
-    return NULL;
+    return kg_write_end(o, ok);
 }
 
 kg_status kg_oa_write_memory(const kg_oa *oa, char **out_text, size_t *out_size, kg_error *error) {
-    json_t *root = write_root(oa);
-    char *text = root ? kg_json_text(root) : NULL;
-    json_decref(root);
-    if (!text)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory, or a title that is not UTF-8");
-    *out_text = text;
-    *out_size = strlen(text);
-    return KG_OK;
+    return kg_write_text(write_root(oa), out_text, out_size, error);
 }
 
 kg_status kg_oa_write(const kg_oa *oa, const char *path, kg_error *error) {
-    char *text;
-    size_t size;
-    kg_status status = kg_oa_write_memory(oa, &text, &size, error);
-    if (status)
-        return status;
-    status = kg_file_write(path, text, size, error);
-    free(text);
-    return status;
+    return kg_write_file(write_root(oa), path, error);
 }

@@ -15,8 +15,7 @@ static kg_oa *allocate(int width, int depth, int height) {
     oa->width = width;
     oa->depth_limit = depth;
     oa->height = height;
-    oa->margin = 8;
-    oa->scale = 1;
+    oa->net = kg_net_settings_default();
     oa->tiny_mm = KG_OA_TINY;
     oa->depth = calloc(cells, sizeof *oa->depth);
     oa->window = calloc(cells, 1);
@@ -71,14 +70,11 @@ kg_oa *kg_oa_copy(const kg_oa *oa) {
     copy->cell_mm = oa->cell_mm;
     copy->diagonals = oa->diagonals;
     copy->margin_cells = oa->margin_cells;
-    copy->margin = oa->margin;
-    copy->scale = oa->scale;
     copy->tiny_mm = oa->tiny_mm;
     free(copy->title);
     copy->title = strdup(oa->title);
-    copy->paper = oa->paper ? strdup(oa->paper) : NULL;
     copy->json = json_incref(oa->json); /* never changed in place, so it can be shared */
-    if (copy->title && (copy->paper || !oa->paper))
+    if (kg_net_settings_copy(&oa->net, &copy->net) && copy->title)
         return copy;
     kg_oa_destroy(copy);
     return NULL;
@@ -91,13 +87,9 @@ void kg_oa_destroy(kg_oa *oa) {
     free(oa->window);
     free(oa->omitted);
     free(oa->title);
-    free(oa->paper);
+    kg_net_settings_clear(&oa->net);
     json_decref(oa->json);
     free(oa);
-}
-
-static bool same_text(const char *a, const char *b) {
-    return a == b || (a && b && strcmp(a, b) == 0);
 }
 
 bool kg_oa_equal(const kg_oa *a, const kg_oa *b) {
@@ -105,9 +97,8 @@ bool kg_oa_equal(const kg_oa *a, const kg_oa *b) {
         return false;
     size_t cells = (size_t)a->width * (size_t)a->height;
     return a->cell_mm == b->cell_mm && a->diagonals == b->diagonals &&
-           a->margin_cells == b->margin_cells && a->margin == b->margin && a->scale == b->scale &&
-           a->tiny_mm == b->tiny_mm && same_text(a->title, b->title) &&
-           same_text(a->paper, b->paper) &&
+           a->margin_cells == b->margin_cells && a->tiny_mm == b->tiny_mm &&
+           strcmp(a->title, b->title) == 0 && kg_net_settings_equal(&a->net, &b->net) &&
            memcmp(a->depth, b->depth, cells * sizeof *a->depth) == 0 &&
            memcmp(a->window, b->window, cells) == 0 &&
            memcmp(a->omitted, b->omitted, cells + (size_t)a->width) == 0 &&

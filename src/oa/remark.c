@@ -274,7 +274,8 @@ static bool gather(finder *f, kg_oa_remarks *out) {
 kg_status kg_oa_remarks_create(const kg_oa *oa, const kg_oa_sheet *sheet,
                                const kg_oa_stability *stability, kg_oa_remarks **out_remarks,
                                kg_error *error) {
-    finder f = {.oa = oa, .sheet = sheet, .stability = stability, .cell = oa->cell_mm * oa->scale};
+    finder f = {
+        .oa = oa, .sheet = sheet, .stability = stability, .cell = oa->cell_mm * oa->net.scale};
     kg_oa_remarks *made = calloc(1, sizeof *made);
     kg_status status = made ? find_all(&f, error) : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     if (!status && !gather(&f, made))

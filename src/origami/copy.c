@@ -21,7 +21,8 @@ kg_origami *kg_origami_copy(const kg_origami *o) {
     if (!out)
         return NULL;
     out->title = strdup(o->title);
-    if (!out->title || !copy_sheets(o, out) || !kg_reserve(&out->folds, o->folds.count) ||
+    bool ok = kg_net_settings_copy(&o->net, &out->net) && out->title;
+    if (!ok || !copy_sheets(o, out) || !kg_reserve(&out->folds, o->folds.count) ||
         !kg_reserve(&out->states, o->states.count)) {
         kg_origami_destroy(out);
         return NULL;
@@ -87,7 +88,8 @@ static bool same_state(const kg_origami_state *a, const kg_origami_state *b) {
 
 bool kg_origami_equal(const kg_origami *a, const kg_origami *b) {
     if (a->step != b->step || a->sheets.count != b->sheets.count ||
-        a->folds.count != b->folds.count || strcmp(a->title, b->title) != 0)
+        a->folds.count != b->folds.count || strcmp(a->title, b->title) != 0 ||
+        !kg_net_settings_equal(&a->net, &b->net))
         return false;
     for (size_t i = 0; i < a->sheets.count; i++)
         if (!same_sheet(&a->sheets.items[i], &b->sheets.items[i]))

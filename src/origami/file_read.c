@@ -2,19 +2,14 @@
 #include "origami/exchange.h"
 
 #include "base/file.h"
+#include "net/settings.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { VERSION = 1 };
-
 /* Replaying takes time that grows with the paper's faces; people fold less. */
 enum { MAX_FOLDS = 10000, MAX_SHEETS = 1000 };
-
-static json_t *keep_json(const json_t *v) {
-    return json_incref((json_t *)(uintptr_t)v);
-}
 
 /* ---- sheets ----------------------------------------------------------------------------- */
 
@@ -26,12 +21,12 @@ static int hex_digit(char c) {
 }
 
 /* "#rgb" or "#rrggbb" */
-static kg_status read_color(kg_json_place *p, const json_t *sheet, const char *key, uint32_t *out) {
+static kg_status read_color(kg_reader *p, const json_t *sheet, const char *key, uint32_t *out) {
     const json_t *v = json_object_get(sheet, key);
     const char *s = json_string_value(v);
     if (!v)
         return KG_OK;
-    kg_json_enter(p, key, 0);
+    kg_read_enter(p, key, 0);
     size_t n = s ? strlen(s) : 0;
     bool ok = (n == 4 || n == 7) && s[0] == '#';
     uint32_t color = 0;
@@ -40,17 +35,17 @@ static kg_status read_color(kg_json_place *p, const json_t *sheet, const char *k
         ok = digit >= 0;
         color = n == 4 ? color << 8 | (uint32_t)(digit * 17) : color << 4 | (uint32_t)digit;
     }
-    kg_status status = ok ? KG_OK : kg_json_fail(p, "a colour is \"#rgb\" or \"#rrggbb\"");
-    kg_json_leave(p);
+    kg_status status = ok ? KG_OK : kg_read_fail(p, "a colour is \"#rgb\" or \"#rrggbb\"");
+    kg_read_leave(p);
     if (ok)
         *out = color;
     return status;
 }
 
-static kg_status read_polygon(kg_json_place *p, const json_t *v, kg_paper_sheet *out) {
-    kg_json_enter(p, "polygon", 0);
+static kg_status read_polygon(kg_reader *p, const json_t *v, kg_paper_sheet *out) {
+    kg_read_enter(p, "polygon", 0);
     kg_status status = json_is_array(v) ? KG_OK
-                                        : kg_json_fail(p, "a sheet has a \"polygon\": a list of "
+                                        : kg_read_fail(p, "a sheet has a \"polygon\": a list of "
                                                           "corners");
     out->polygon = calloc(json_array_size(v) + 1, sizeof *out->polygon);
     if (!out->polygon)
@@ -58,31 +53,31 @@ static kg_status read_polygon(kg_json_place *p, const json_t *v, kg_paper_sheet 
     for (size_t i = 0; i < json_array_size(v) && !status; i++) {
         double x[3];
         size_t n;
-        kg_json_enter(p, NULL, i);
-        status = kg_json_read_point(p, json_array_get(v, i), 2, x, &n);
-        kg_json_leave(p);
+        kg_read_enter(p, NULL, i);
+        status = kg_read_point(p, json_array_get(v, i), 2, x, &n);
+        kg_read_leave(p);
         if (!status)
             out->polygon[out->count++] = kg_v2(x[0], x[1]);
     }
     kg_error reason;
     if (!status && (status = kg_sheet_check(out, &reason)))
-        status = kg_json_fail(p, "%s", reason.message);
-    kg_json_leave(p);
+        status = kg_read_fail(p, "%s", reason.message);
+    kg_read_leave(p);
     return status;
 }
 
-static kg_status read_sheets(kg_json_place *p, const json_t *origami, bool needed, kg_origami *o) {
+static kg_status read_sheets(kg_reader *p, const json_t *origami, bool needed, kg_origami *o) {
     const json_t *list = json_object_get(origami, "sheets");
-    kg_json_enter(p, "sheets", 0);
+    kg_read_enter(p, "sheets", 0);
     kg_status status = KG_OK;
     if (!json_is_array(list) || (json_array_size(list) == 0 && needed) ||
         json_array_size(list) > MAX_SHEETS)
-        status = kg_json_fail(p, "\"sheets\" is a list of 1 to %d sheets", MAX_SHEETS);
+        status = kg_read_fail(p, "\"sheets\" is a list of 1 to %d sheets", MAX_SHEETS);
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *v = json_array_get(list, i);
         kg_paper_sheet sheet = {
-            .front = KG_DEFAULT_FRONT, .back = KG_DEFAULT_BACK, .json = keep_json(v)};
-        kg_json_enter(p, NULL, i);
+            .front = KG_DEFAULT_FRONT, .back = KG_DEFAULT_BACK, .json = kg_read_keep(v)};
+        kg_read_enter(p, NULL, i);
         status = read_polygon(p, json_object_get(v, "polygon"), &sheet);
         if (!status)
             status = read_color(p, v, "front", &sheet.front);
@@ -94,126 +89,106 @@ static kg_status read_sheets(kg_json_place *p, const json_t *origami, bool neede
             free(sheet.polygon);
             json_decref(sheet.json);
         }
-        kg_json_leave(p);
+        kg_read_leave(p);
     }
-    kg_json_leave(p);
+    kg_read_leave(p);
     return status;
 }
 
 /* ---- folds ------------------------------------------------------------------------------ */
 
 /* Flat states are often written with two numbers; z is then 0. */
-static kg_status read_point(kg_json_place *p, const json_t *v, kg_vec3 *out) {
+static kg_status read_point(kg_reader *p, const json_t *v, kg_vec3 *out) {
     double x[3] = {0};
     size_t n;
-    kg_status status = kg_json_read_point(p, v, 2, x, &n);
+    kg_status status = kg_read_point(p, v, 2, x, &n);
     *out = kg_v3(x[0], x[1], x[2]);
     return status;
 }
 
-static kg_status read_member(kg_json_place *p, const json_t *v, const char *key, kg_vec3 *out) {
-    kg_json_enter(p, key, 0);
+static kg_status read_member(kg_reader *p, const json_t *v, const char *key, kg_vec3 *out) {
+    kg_read_enter(p, key, 0);
     kg_status status = read_point(p, json_object_get(v, key), out);
-    kg_json_leave(p);
+    kg_read_leave(p);
     return status;
 }
 
-static kg_status read_where(kg_json_place *p, const json_t *v, kg_fold *f) {
+static kg_status read_where(kg_reader *p, const json_t *v, kg_fold *f) {
     const json_t *axis = json_object_get(v, "axis");
     f->by_axis = axis != NULL;
     if (!axis) {
         if (!json_object_get(v, "from") || !json_object_get(v, "to"))
-            return kg_json_fail(p, "a fold has \"from\" and \"to\", or an \"axis\" and a "
+            return kg_read_fail(p, "a fold has \"from\" and \"to\", or an \"axis\" and a "
                                    "\"vertex\"");
         kg_status status = read_member(p, v, "from", &f->points[0]);
         return status ? status : read_member(p, v, "to", &f->points[1]);
     }
-    kg_json_enter(p, "axis", 0);
+    kg_read_enter(p, "axis", 0);
     kg_status status =
-        json_array_size(axis) == 2 ? KG_OK : kg_json_fail(p, "an axis has two points");
+        json_array_size(axis) == 2 ? KG_OK : kg_read_fail(p, "an axis has two points");
     for (size_t k = 0; k < 2 && !status; k++) {
-        kg_json_enter(p, NULL, k);
+        kg_read_enter(p, NULL, k);
         status = read_point(p, json_array_get(axis, k), &f->points[k]);
-        kg_json_leave(p);
+        kg_read_leave(p);
     }
-    kg_json_leave(p);
+    kg_read_leave(p);
     return status ? status : read_member(p, v, "vertex", &f->vertex);
 }
 
-static kg_status read_index_member(kg_json_place *p, const json_t *v, const char *key, int64_t lo,
+static kg_status read_index_member(kg_reader *p, const json_t *v, const char *key, int64_t lo,
                                    int32_t *out) {
     const json_t *x = json_object_get(v, key);
     if (!x)
         return KG_OK;
-    kg_json_enter(p, key, 0);
-    kg_status status = kg_json_read_index(p, x, lo, INT32_MAX, out);
-    kg_json_leave(p);
+    kg_read_enter(p, key, 0);
+    kg_status status = kg_read_index(p, x, lo, INT32_MAX, out);
+    kg_read_leave(p);
     return status;
 }
 
-static kg_status read_fold(kg_json_place *p, const json_t *v, kg_fold *f) {
-    kg_status status = json_is_object(v) ? read_where(p, v, f) : kg_json_fail(p, "a fold is { … }");
-    kg_json_enter(p, "angle_deg", 0);
+static kg_status read_fold(kg_reader *p, const json_t *v, kg_fold *f) {
+    kg_status status = json_is_object(v) ? read_where(p, v, f) : kg_read_fail(p, "a fold is { … }");
+    kg_read_enter(p, "angle_deg", 0);
     const json_t *angle = json_object_get(v, "angle_deg");
     if (!status && angle)
-        status = kg_json_read_number(p, angle, 180, &f->angle_deg);
-    kg_json_leave(p);
+        status = kg_read_number(p, angle, 180, &f->angle_deg);
+    kg_read_leave(p);
     if (!status)
         status = read_index_member(p, v, "face", 0, &f->face);
     if (!status)
         status = read_index_member(p, v, "layers", 1, &f->layers);
     const json_t *between = json_object_get(v, "between");
-    kg_json_enter(p, "between", 0);
+    kg_read_enter(p, "between", 0);
     if (!status && between && json_array_size(between) != 2)
-        status = kg_json_fail(p, "\"between\" is a list of two faces");
+        status = kg_read_fail(p, "\"between\" is a list of two faces");
     for (size_t k = 0; k < json_array_size(between) && !status; k++)
-        status = kg_json_read_index(p, json_array_get(between, k), 0, INT32_MAX, &f->between[k]);
-    kg_json_leave(p);
+        status = kg_read_index(p, json_array_get(between, k), 0, INT32_MAX, &f->between[k]);
+    kg_read_leave(p);
     return status;
 }
 
-static kg_status read_folds(kg_json_place *p, const json_t *origami, kg_origami *o) {
+static kg_status read_folds(kg_reader *p, const json_t *origami, kg_origami *o) {
     const json_t *list = json_object_get(origami, "folds");
-    kg_json_enter(p, "folds", 0);
+    kg_read_enter(p, "folds", 0);
     kg_status status = KG_OK;
     if (list && (!json_is_array(list) || json_array_size(list) > MAX_FOLDS))
-        status = kg_json_fail(p, "\"folds\" is a list of at most %d folds", MAX_FOLDS);
+        status = kg_read_fail(p, "\"folds\" is a list of at most %d folds", MAX_FOLDS);
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *v = json_array_get(list, i);
         kg_fold fold = kg_fold_default();
         kg_error reason;
-        kg_json_enter(p, NULL, i);
+        kg_read_enter(p, NULL, i);
         fold.json = (json_t *)(uintptr_t)v;
         status = read_fold(p, v, &fold);
         if (!status && (status = kg_origami_fold(o, &fold, &reason)) == KG_ERR_INPUT)
-            status = kg_json_fail(p, "fold %zu: %s", i + 1, reason.message);
-        kg_json_leave(p);
+            status = kg_read_fail(p, "fold %zu: %s", i + 1, reason.message);
+        kg_read_leave(p);
     }
-    kg_json_leave(p);
+    kg_read_leave(p);
     return status;
 }
 
 /* ---- models ----------------------------------------------------------------------------- */
-
-static kg_status check_header(kg_json_place *p, const json_t *root) {
-    const json_t *version = json_object_get(root, "katagami");
-    const char *kind = json_string_value(json_object_get(root, "kind"));
-    if (!json_is_integer(version))
-        return kg_json_fail(p, "this is no katagami model: it must begin with {\"katagami\": 1, "
-                               "\"kind\": \"origami\", …}");
-    kg_json_enter(p, "katagami", 0);
-    if (json_integer_value(version) < 1 || json_integer_value(version) > VERSION)
-        return kg_json_fail(p,
-                            "the model has format %lld, this katagami reads up to %d; update "
-                            "katagami",
-                            (long long)json_integer_value(version), VERSION);
-    kg_json_leave(p);
-    kg_json_enter(p, "kind", 0);
-    if (!kind || strcmp(kind, "origami"))
-        return kg_json_fail(p, "an origami model has \"kind\": \"origami\"");
-    kg_json_leave(p);
-    return KG_OK;
-}
 
 /* Replaces the state of flat sheets by that of sheets, or of a pattern, that were read. */
 static void set_start(kg_origami *o, kg_origami_state *s) {
@@ -221,34 +196,29 @@ static void set_start(kg_origami *o, kg_origami_state *s) {
     o->states.items[0] = s;
 }
 
-static kg_status read_model(kg_json_place *p, const json_t *root, kg_origami *o) {
-    kg_status status = check_header(p, root);
+static kg_status read_model(kg_reader *p, kg_origami *o) {
+    kg_status status = kg_read_header(p, "origami", "an origami model");
     if (status)
         return status;
-    const json_t *title = json_object_get(root, "title"),
-                 *origami = json_object_get(root, "origami"),
+    const json_t *origami = json_object_get(p->root, "origami"),
                  *pattern = json_object_get(origami, "pattern");
     kg_origami_state *s = NULL;
-    o->json = keep_json(root);
-    if (title && !json_is_string(title)) {
-        kg_json_enter(p, "title", 0);
-        return kg_json_fail(p, "\"title\" is a text");
-    }
-    if (title) {
-        free(o->title);
-        if (!(o->title = strdup(json_string_value(title))))
-            return KG_ERR_MEMORY;
-    }
-    kg_json_enter(p, "origami", 0);
+    o->json = kg_read_keep(p->root);
+    status = kg_read_string(p, p->root, "title", &o->title);
+    if (!status)
+        status = kg_net_settings_parse(p, p->root, &o->net);
+    if (status)
+        return status;
+    kg_read_enter(p, "origami", 0);
     if (!json_is_object(origami))
-        return kg_json_fail(p, "an origami model has \"origami\": {\"sheets\": …}");
+        return kg_read_fail(p, "an origami model has \"origami\": {\"sheets\": …}");
     status = read_sheets(p, origami, !pattern, o);
     if (!status && pattern) {
         kg_layer_report report = kg_layer_report_default();
-        kg_json_enter(p, "pattern", 0);
+        kg_read_enter(p, "pattern", 0);
         status = kg_fold_read(p, pattern, &report, &s);
         o->pattern = true;
-        kg_json_leave(p);
+        kg_read_leave(p);
     } else if (!status) {
         status = kg_state_from_sheets(o->sheets.items, o->sheets.count, &s, p->error);
     }
@@ -258,47 +228,19 @@ static kg_status read_model(kg_json_place *p, const json_t *root, kg_origami *o)
     return read_folds(p, origami, o);
 }
 
-/* The zero-terminated text of a file and its tree. */
-static kg_status parse(const char *data, size_t size, const char *name, char **out_text,
-                       json_t **out_root, kg_error *error) {
-    json_error_t where;
-    if (size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0)
-        data += 3, size -= 3; /* the mark that some editors put in front */
-    json_t *root = json_loadb(data, size, JSON_REJECT_DUPLICATES, &where);
-    if (!root)
-        return kg_fail(
-            error, KG_ERR_PARSE, "%s:%d: %s%s", name, where.line < 1 ? 1 : where.line, where.text,
-            json_error_code(&where) == json_error_invalid_utf8 ? "; save the file as UTF-8" : "");
-    char *text = malloc(size + 1);
-    if (!text) {
-        json_decref(root);
-        return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", name);
-    }
-    memcpy(text, data, size);
-    text[size] = '\0';
-    *out_text = text;
-    *out_root = root;
-    return KG_OK;
-}
-
 kg_status kg_origami_read_memory(const char *data, size_t size, const char *name,
                                  kg_origami **out_origami, kg_error *error) {
-    char *text;
-    json_t *root;
-    kg_status status = parse(data, size, name, &text, &root, error);
+    kg_reader p;
+    kg_status status = kg_read_begin(&p, data, size, name, error);
     if (status)
         return status;
     kg_origami *o = kg_origami_create();
-    kg_json_place p = {.name = name, .text = text, .error = error};
-    status = o ? read_model(&p, root, o) : KG_ERR_MEMORY;
-    free(text);
-    json_decref(root);
-    if (status) {
+    status = kg_read_end(&p, o ? read_model(&p, o) : KG_ERR_MEMORY);
+    if (status)
         kg_origami_destroy(o);
-        return status == KG_ERR_MEMORY ? kg_fail(error, status, "%s: out of memory", name) : status;
-    }
-    *out_origami = o;
-    return KG_OK;
+    else
+        *out_origami = o;
+    return status;
 }
 
 /* ---- crease patterns -------------------------------------------------------------------- */
@@ -319,20 +261,17 @@ static kg_status import_state(const char *data, size_t size, const char *name,
         status = kg_pattern_solve(&pattern, report, out_state, error);
         kg_pattern_clear(&pattern);
     } else {
-        char *text;
-        json_t *root;
-        if ((status = parse(data, size, name, &text, &root, error)))
+        kg_reader p;
+        if ((status = kg_read_begin(&p, data, size, name, error)))
             return status;
-        kg_json_place p = {.name = name, .text = text, .error = error};
-        status = kg_fold_read(&p, root, report, out_state);
-        const char *given = json_string_value(json_object_get(root, "file_title"));
+        status = kg_fold_read(&p, p.root, report, out_state);
+        const char *given = json_string_value(json_object_get(p.root, "file_title"));
         char *copy = !status && given ? strdup(given) : NULL;
         if (copy) {
             free(*title);
             *title = copy;
         }
-        free(text);
-        json_decref(root);
+        status = kg_read_end(&p, status);
     }
     if (status == KG_ERR_MEMORY)
         return kg_fail(error, status, "%s: out of memory", name);

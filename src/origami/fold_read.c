@@ -23,13 +23,13 @@ static const json_t *find(const frame *f, const char *key) {
 }
 
 /* Points messages at a key of a frame. */
-static void enter_key(kg_json_place *p, const frame *f, const char *key, size_t base) {
+static void enter_key(kg_reader *p, const frame *f, const char *key, size_t base) {
     p->depth = base;
     if (f->index > 0 && json_object_get(f->own, key)) {
-        kg_json_enter(p, "file_frames", 0);
-        kg_json_enter(p, NULL, f->index - 1);
+        kg_read_enter(p, "file_frames", 0);
+        kg_read_enter(p, NULL, f->index - 1);
     }
-    kg_json_enter(p, key, 0);
+    kg_read_enter(p, key, 0);
 }
 
 static bool has_class(const frame *f, const char *name) {
@@ -61,72 +61,71 @@ static frame frame_at(const json_t *root, size_t index) {
 
 /* ---- the pattern ------------------------------------------------------------------------ */
 
-static kg_status read_vertices(kg_json_place *p, const json_t *list, kg_pattern *out) {
+static kg_status read_vertices(kg_reader *p, const json_t *list, kg_pattern *out) {
     kg_status status = KG_OK;
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         double x[3] = {0};
         size_t n;
-        kg_json_enter(p, NULL, i);
-        status = kg_json_read_point(p, json_array_get(list, i), 2, x, &n);
-        kg_json_leave(p);
+        kg_read_enter(p, NULL, i);
+        status = kg_read_point(p, json_array_get(list, i), 2, x, &n);
+        kg_read_leave(p);
         if (!status && !kg_push(&out->vertices, kg_v2(x[0], x[1])))
             status = KG_ERR_MEMORY;
     }
     return status;
 }
 
-static kg_status read_edge(kg_json_place *p, const frame *f, size_t i, size_t base,
-                           kg_pattern *out) {
+static kg_status read_edge(kg_reader *p, const frame *f, size_t i, size_t base, kg_pattern *out) {
     kg_pattern_edge e = {.assignment = 'U', .angle = PI};
     const json_t *ends = json_array_get(find(f, "edges_vertices"), i),
                  *letter = json_array_get(find(f, "edges_assignment"), i),
                  *angle = json_array_get(find(f, "edges_foldAngle"), i);
     enter_key(p, f, "edges_vertices", base);
-    kg_json_enter(p, NULL, i);
+    kg_read_enter(p, NULL, i);
     kg_status status =
-        json_array_size(ends) == 2 ? KG_OK : kg_json_fail(p, "an edge has two vertices");
+        json_array_size(ends) == 2 ? KG_OK : kg_read_fail(p, "an edge has two vertices");
     for (size_t k = 0; k < 2 && !status; k++)
-        status = kg_json_read_index(p, json_array_get(ends, k), 0, (int64_t)out->vertices.count - 1,
-                                    &e.ends[k]);
+        status = kg_read_index(p, json_array_get(ends, k), 0, (int64_t)out->vertices.count - 1,
+                               &e.ends[k]);
     if (!status && e.ends[0] == e.ends[1])
-        status = kg_json_fail(p, "edge %zu begins and ends at vertex %d", i, e.ends[0]);
+        status = kg_read_fail(p, "edge %zu begins and ends at vertex %d", i, e.ends[0]);
     if (status)
         return status;
     if (letter) {
         const char *s = json_string_value(letter);
         enter_key(p, f, "edges_assignment", base);
-        kg_json_enter(p, NULL, i);
+        kg_read_enter(p, NULL, i);
         if (!s || strlen(s) != 1 || !strchr("BMVFUCJ", s[0]))
-            return kg_json_fail(p, "an assignment is one of B M V F U C J");
+            return kg_read_fail(p, "an assignment is one of B M V F U C J");
         e.assignment = s[0];
     }
     e.angle = e.assignment == 'M' ? -PI : e.assignment == 'V' || e.assignment == 'U' ? PI : 0;
     if (json_is_number(angle) && (e.assignment == 'M' || e.assignment == 'V')) {
         enter_key(p, f, "edges_foldAngle", base);
-        kg_json_enter(p, NULL, i);
-        status = kg_json_read_number(p, angle, 180, &e.angle);
+        kg_read_enter(p, NULL, i);
+        status = kg_read_number(p, angle, 180, &e.angle);
         e.angle = fabs(e.angle) == 180 ? copysign(PI, e.angle) : e.angle * (PI / 180);
         if (!status && (e.assignment == 'M' ? e.angle > 0 : e.angle < 0))
-            status = kg_json_fail(p, "mountains have angles below 0, valleys above");
+            status = kg_read_fail(p, "mountains have angles below 0, valleys above");
     }
     if (!status && !kg_push(&out->edges, e))
         status = KG_ERR_MEMORY;
     return status;
 }
 
-static kg_status read_faces(kg_json_place *p, const json_t *list, kg_pattern *out) {
+static kg_status read_faces(kg_reader *p, const json_t *list, kg_pattern *out) {
     int32_t *corners = malloc((out->vertices.count + 1) * sizeof *corners);
     kg_status status = corners ? KG_OK : KG_ERR_MEMORY;
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *face = json_array_get(list, i);
         size_t n = json_array_size(face);
         double twice = 0;
-        kg_json_enter(p, NULL, i);
+        kg_read_enter(p, NULL, i);
         if (n < 3 || n > out->vertices.count)
-            status = kg_json_fail(p, "a face has 3 or more vertices, each once");
+            status = kg_read_fail(p, "a face has 3 or more vertices, each once");
         for (size_t k = 0; k < n && !status; k++)
-            status = kg_json_read_index(p, json_array_get(face, k), 0,
-                                        (int64_t)out->vertices.count - 1, &corners[k]);
+            status = kg_read_index(p, json_array_get(face, k), 0, (int64_t)out->vertices.count - 1,
+                                   &corners[k]);
         for (size_t k = 0; k < n && !status; k++)
             twice += kg_cross2(out->vertices.items[corners[k]],
                                out->vertices.items[corners[(k + 1) % n]]);
@@ -135,8 +134,8 @@ static kg_status read_faces(kg_json_place *p, const json_t *list, kg_pattern *ou
             corners[a] = corners[b], corners[b] = swap;
         }
         if (!status && twice == 0)
-            status = kg_json_fail(p, "face %zu has no area", i);
-        kg_json_leave(p);
+            status = kg_read_fail(p, "face %zu has no area", i);
+        kg_read_leave(p);
         if (!status)
             status = kg_face_list_add(&out->faces, corners, n);
     }
@@ -144,12 +143,12 @@ static kg_status read_faces(kg_json_place *p, const json_t *list, kg_pattern *ou
     return status;
 }
 
-static kg_status read_pattern(kg_json_place *p, const frame *f, size_t base, kg_pattern *out) {
+static kg_status read_pattern(kg_reader *p, const frame *f, size_t base, kg_pattern *out) {
     const json_t *edges = find(f, "edges_vertices");
     enter_key(p, f, "vertices_coords", base);
     kg_status status = read_vertices(p, find(f, "vertices_coords"), out);
     if (!status && (json_array_size(edges) == 0 || json_array_size(edges) > MAX_EDGES))
-        status = kg_json_fail(p, "a crease pattern has 1 to %d edges (edges_vertices)", MAX_EDGES);
+        status = kg_read_fail(p, "a crease pattern has 1 to %d edges (edges_vertices)", MAX_EDGES);
     for (size_t i = 0; i < json_array_size(edges) && !status; i++)
         status = read_edge(p, f, i, base, out);
     enter_key(p, f, "faces_vertices", base);
@@ -161,16 +160,16 @@ static kg_status read_pattern(kg_json_place *p, const frame *f, size_t base, kg_
 /* ---- the folded form -------------------------------------------------------------------- */
 
 /* Takes the positions of the folded form; faces must be congruent to the pattern's. */
-static kg_status take_positions(kg_json_place *p, const json_t *list, kg_origami_state *s) {
+static kg_status take_positions(kg_reader *p, const json_t *list, kg_origami_state *s) {
     if (json_array_size(list) != s->vertices.count)
-        return kg_json_fail(p, "the folded form has %zu vertices, the crease pattern %zu",
+        return kg_read_fail(p, "the folded form has %zu vertices, the crease pattern %zu",
                             json_array_size(list), s->vertices.count);
     for (size_t i = 0; i < s->vertices.count; i++) {
         double x[3] = {0};
         size_t n;
-        kg_json_enter(p, NULL, i);
-        kg_status status = kg_json_read_point(p, json_array_get(list, i), 2, x, &n);
-        kg_json_leave(p);
+        kg_read_enter(p, NULL, i);
+        kg_status status = kg_read_point(p, json_array_get(list, i), 2, x, &n);
+        kg_read_leave(p);
         if (status)
             return status;
         s->vertices.items[i].position = kg_v3(x[0], x[1], x[2]);
@@ -180,7 +179,7 @@ static kg_status take_positions(kg_json_place *p, const json_t *list, kg_origami
 
 /* Orders of faces to orders of the loops they were divided into. False when some overlap has none:
  * then they are solved for. */
-static kg_status take_orders(kg_json_place *p, const json_t *list, const kg_pattern *pattern,
+static kg_status take_orders(kg_reader *p, const json_t *list, const kg_pattern *pattern,
                              kg_origami_state *s, bool *out_complete) {
     kg_outlines o = {0};
     int32_t faces = (int32_t)s->loops.count;
@@ -190,13 +189,13 @@ static kg_status take_orders(kg_json_place *p, const json_t *list, const kg_patt
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *row = json_array_get(list, i);
         int32_t v[3];
-        kg_json_enter(p, NULL, i);
+        kg_read_enter(p, NULL, i);
         for (size_t k = 0; k < 3 && !status; k++)
-            status = kg_json_read_index(p, json_array_get(row, k), k < 2 ? 0 : -1,
-                                        k < 2 ? faces - 1 : 1, &v[k]);
+            status = kg_read_index(p, json_array_get(row, k), k < 2 ? 0 : -1, k < 2 ? faces - 1 : 1,
+                                   &v[k]);
         if (!status && v[0] == v[1])
-            status = kg_json_fail(p, "face %d cannot lie on itself", v[0]);
-        kg_json_leave(p);
+            status = kg_read_fail(p, "face %d cannot lie on itself", v[0]);
+        kg_read_leave(p);
         if (!status && v[2] != 0 && s->loops.items[v[0]].group == s->loops.items[v[1]].group &&
             kg_outlines_overlap(&o, v[0], v[1], s->touch))
             status = kg_orders_add(s, &o, v[1], v[0], v[2] * o.facing[v[1]]);
@@ -206,7 +205,7 @@ static kg_status take_orders(kg_json_place *p, const json_t *list, const kg_patt
     for (size_t i = 1; i < s->orders.count && !status; i++)
         if (s->orders.items[i].a == s->orders.items[i - 1].a &&
             s->orders.items[i].b == s->orders.items[i - 1].b)
-            status = kg_json_fail(p, "faces %d and %d are ordered twice", s->orders.items[i].a,
+            status = kg_read_fail(p, "faces %d and %d are ordered twice", s->orders.items[i].a,
                                   s->orders.items[i].b);
     *out_complete = true;
     for (int32_t a = 0; a < faces && !status && *out_complete; a++)
@@ -221,7 +220,7 @@ static kg_status take_orders(kg_json_place *p, const json_t *list, const kg_patt
 
 /* ---- all -------------------------------------------------------------------------------- */
 
-static kg_status read_state(kg_json_place *p, const frame *flat, const frame *folded,
+static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded,
                             kg_pattern *pattern, kg_layer_report *report,
                             kg_origami_state **out_state) {
     size_t base = p->depth;
@@ -253,7 +252,7 @@ static kg_status read_state(kg_json_place *p, const frame *flat, const frame *fo
     return status;
 }
 
-kg_status kg_fold_read(kg_json_place *p, const json_t *root, kg_layer_report *report,
+kg_status kg_fold_read(kg_reader *p, const json_t *root, kg_layer_report *report,
                        kg_origami_state **out_state) {
     size_t frames = 1 + json_array_size(json_object_get(root, "file_frames")), base = p->depth;
     frame flat = {0}, folded = {0};
@@ -267,7 +266,7 @@ kg_status kg_fold_read(kg_json_place *p, const json_t *root, kg_layer_report *re
             folded = f;
     }
     if (!flat.own)
-        return kg_json_fail(p, "there is no crease pattern in it: a frame with flat "
+        return kg_read_fail(p, "there is no crease pattern in it: a frame with flat "
                                "vertices_coords that is no foldedForm");
     kg_pattern pattern = {0};
     kg_status status =

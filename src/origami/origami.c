@@ -15,6 +15,8 @@ kg_fold kg_fold_default(void) {
 kg_origami *kg_origami_create(void) {
     kg_origami *o = calloc(1, sizeof *o);
     kg_origami_state *s = NULL;
+    if (o)
+        o->net = kg_net_settings_default();
     if (o && (o->title = calloc(1, 1)) && kg_state_from_sheets(NULL, 0, &s, NULL) == KG_OK &&
         kg_push(&o->states, s))
         return o;
@@ -48,6 +50,7 @@ void kg_origami_destroy(kg_origami *o) {
     free(o->folds.items);
     free(o->states.items);
     free(o->title);
+    kg_net_settings_clear(&o->net);
     json_decref(o->json);
     free(o);
 }
@@ -232,24 +235,8 @@ kg_status kg_origami_set_title(kg_origami *o, const char *title, kg_error *error
     return KG_OK;
 }
 
-const json_t *kg_origami_key(const kg_origami *o, const char *key) {
-    return json_object_get(o->json, key);
-}
-
-kg_status kg_origami_set_key(kg_origami *o, const char *key, json_t *value, kg_error *error) {
-    /* copies share the object, so that it is never changed in place */
-    json_t *json = o->json ? json_copy(o->json) : json_object();
-    bool done = json && (!value || json_object_set(json, key, value) == 0);
-    if (!value)
-        json_object_del(json, key); /* it may not be there */
-    json_decref(value);
-    if (!done) {
-        json_decref(json);
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    }
-    json_decref(o->json);
-    o->json = json;
-    return KG_OK;
+kg_net_settings *kg_origami_net_settings(kg_origami *o) {
+    return &o->net;
 }
 
 /* ---- folding ---------------------------------------------------------------------------- */

@@ -10,6 +10,7 @@
 
 struct kg_origami {
     char *title; /* never NULL */
+    kg_net_settings net;
     struct {
         kg_paper_sheet *items;
         size_t count, capacity;

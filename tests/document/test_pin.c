@@ -1,8 +1,8 @@
 /* What a model says about its net beside the patches: pins and settings. */
 #include "tests/check.h"
 
-#include "document/net_settings.h"
 #include "document/pin.h"
+#include "net/settings.h"
 
 #include <stdlib.h>
 
@@ -126,7 +126,7 @@ static void a_removed_patch_leaves_no_pins_or_joins(void **state) {
     assert_int_equal(kg_pin_forget_patch(model, 7, NULL), KG_OK);
     kg_pin_parts(model, net);
     assert_true(!net->parts[0].pinned && net->parts[1].pinned && !net->parts[2].pinned);
-    assert_int_equal(model->net.join_count, 1);
+    assert_int_equal(model->join_count, 1);
     assert_null(kg_model_find_join(model, 4, 7));
     assert_non_null(kg_model_find_join(model, 5, 4));
     kg_net_destroy(net);
@@ -139,7 +139,7 @@ static void settings_follow_the_model(void **state) {
                            "\"preset\": \"laser\", \"nest\": false, \"grain\": true, \"gap\": 3.5, "
                            "\"margin\": 11}");
     kg_net_options o;
-    assert_int_equal(kg_net_settings_read(&model->net, &o, NULL), KG_OK);
+    assert_int_equal(kg_net_settings_options(&model->net, &o, NULL), KG_OK);
     assert_near(o.paper.x, 297, 0);
     assert_true(o.landscape && !o.nest && o.grain && o.text_outlines && !o.frame);
     assert_int_equal(o.labels, KG_LABELS_OUTSIDE);
@@ -157,7 +157,7 @@ static void wrong_settings_are_refused_by_name(void **state) {
         kg_model *model = read(wrong[i]);
         kg_net_options o;
         kg_error error;
-        assert_int_equal(kg_net_settings_read(&model->net, &o, &error), KG_ERR_INPUT);
+        assert_int_equal(kg_net_settings_options(&model->net, &o, &error), KG_ERR_INPUT);
         char key[32];
         assert_int_equal(sscanf(wrong[i], "{\"%31[a-z]", key), 1);
         assert_non_null(strstr(error.message, key));

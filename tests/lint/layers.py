@@ -16,7 +16,7 @@ BELOW = {
     "curve": ["base"],
     "patch": ["curve"],
     "trim": ["patch"],
-    "model": ["trim"],
+    "model": ["trim", "net"],
     "net": ["base"],
     "unroll": ["model", "net"],
     "mesh": ["base"],

@@ -69,9 +69,9 @@ static void every_member_is_read(void **state) {
     assert_near(m->net.margin, 9, 0);
     assert_near(m->net.scale, 2, 0);
     assert_near(m->net.tab_width, 4.5, 0);
-    assert_int_equal(m->net.join_count, 2);
+    assert_int_equal(m->join_count, 2);
     const kg_model_join *join = kg_model_find_join(m, 1, 3);
-    assert_ptr_equal(join, &m->net.joins[0]);
+    assert_ptr_equal(join, &m->joins[0]);
     assert_int_equal(join->tab, KG_JOIN_TAB_OTHER);
     assert_int_equal(join->shape, KG_JOIN_TEETH);
     assert_near(join->width, 3, 0);

@@ -24,10 +24,10 @@ static void copies_are_equal_until_anything_changes(void **state) {
             b->margin_cells = 1;
             break;
         case 3:
-            b->margin = 1;
+            b->net.margin = 1;
             break;
         case 4:
-            b->scale = 3;
+            b->net.scale = 3;
             break;
         case 5:
             b->tiny_mm = 1;
@@ -36,7 +36,7 @@ static void copies_are_equal_until_anything_changes(void **state) {
             free(b->title), b->title = strdup("x");
             break;
         case 7:
-            b->paper = strdup("A3");
+            b->net.paper = strdup("A3");
             break;
         case 8:
             b->depth[a->height]++;

@@ -104,7 +104,7 @@ static void unknown_keys_survive(void **state) {
     assert_int_equal(read_text(text, &again, NULL), KG_OK);
     assert_int_equal(kg_oa_depth(again, 2, 0), 2);
     assert_true(kg_oa_window(again, 1, 0));
-    assert_string_equal(again->paper, "A3");
+    assert_string_equal(again->net.paper, "A3");
     assert_string_equal(again->title, "t");
     free(text);
     kg_oa_destroy(oa);

@@ -121,7 +121,7 @@ static void tiny_features_depend_on_their_limit(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         size_t necks = 0, folds = 0;
         oa->tiny_mm = cases[i].tiny;
-        oa->scale = cases[i].scale;
+        oa->net.scale = cases[i].scale;
         solved s = solve(oa);
         for (size_t k = 0; k < s.remarks->count; k++) {
             const kg_oa_remark *r = &s.remarks->items[k];

@@ -405,12 +405,12 @@ static void wishes_for_joins_follow_the_patches_they_name(void **state) {
     (void)state;
     for (int order = 0; order < 2; order++) {
         kg_model *model = gable(0.4, 2.5, false, true);
-        model->net.joins = checked(calloc(1, sizeof *model->net.joins));
-        model->net.join_count = 1;
-        model->net.joins[0] = (kg_model_join){.patches = {order ? 2 : 1, order ? 1 : 2},
-                                              .tab = KG_JOIN_TAB_THIS,
-                                              .width = 3,
-                                              .shape = KG_JOIN_TEETH};
+        model->joins = checked(calloc(1, sizeof *model->joins));
+        model->join_count = 1;
+        model->joins[0] = (kg_model_join){.patches = {order ? 2 : 1, order ? 1 : 2},
+                                          .tab = KG_JOIN_TAB_THIS,
+                                          .width = 3,
+                                          .shape = KG_JOIN_TEETH};
         made m = make(model);
         const kg_net_join *j = &m.net->joins[0];
         assert_int_equal(j->sources[0], 1);

@@ -3,8 +3,8 @@
 #include "app/commands/commands.h"
 #include "app/text.h"
 #include "base/array.h"
-#include "document/net_settings.h"
 #include "document/pin.h"
+#include "net/settings.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -74,7 +74,7 @@ static bool has_pins(const kg_editor *e) {
 static const char *const plain_keys[] = {"landscape", "labels", "preset", "nest",
                                          "grain",     "gap",    "merge"};
 
-static kg_status set_plain(kg_model_net *net, const json_t *a, kg_error *error) {
+static kg_status set_plain(kg_net_settings *net, const json_t *a, kg_error *error) {
     kg_net_options ignored;
     kg_status status = KG_OK;
     for (size_t i = 0; i < sizeof plain_keys / sizeof *plain_keys && !status; i++) {
@@ -83,11 +83,11 @@ static kg_status set_plain(kg_model_net *net, const json_t *a, kg_error *error) 
             status = kg_net_settings_set(net, plain_keys[i],
                                          json_is_null(v) ? NULL : json_incref(v), error);
     }
-    return status ? status : kg_net_settings_read(net, &ignored, error);
+    return status ? status : kg_net_settings_options(net, &ignored, error);
 }
 
 static kg_status set_net(kg_editor *e, const json_t *a, kg_error *error) {
-    kg_model_net *net = &kg_editor_model(e)->net;
+    kg_net_settings *net = kg_document_net_settings(e->document);
     const char *paper = NULL;
     double margin = net->margin, scale = net->scale, tab_width = net->tab_width;
     kg_status status = kg_argument_text(a, "paper", &paper, error);
@@ -138,16 +138,15 @@ static kg_status read_word(const json_t *a, const char *name, const char *const 
 
 /* The wish for a pair of patches, added when there is none. */
 static kg_model_join *join_of(kg_model *model, const int64_t patches[2]) {
-    kg_model_net *net = &model->net;
     const kg_model_join *found = kg_model_find_join(model, patches[0], patches[1]);
     if (found)
-        return &net->joins[found - net->joins];
-    kg_model_join *more = realloc(net->joins, (net->join_count + 1) * sizeof *more);
+        return &model->joins[found - model->joins];
+    kg_model_join *more = realloc(model->joins, (model->join_count + 1) * sizeof *more);
     if (!more)
         return NULL;
-    net->joins = more;
-    more[net->join_count] = (kg_model_join){.patches = {patches[0], patches[1]}};
-    return &more[net->join_count++];
+    model->joins = more;
+    more[model->join_count] = (kg_model_join){.patches = {patches[0], patches[1]}};
+    return &more[model->join_count++];
 }
 
 static kg_status change_join(kg_model *model, const int64_t patches[2], const json_t *a,
@@ -179,7 +178,7 @@ static kg_status change_join(kg_model *model, const int64_t patches[2], const js
     join->width = width;
     join->merge = merge;
     if (tab == KG_JOIN_TAB_AUTO && shape == KG_JOIN_AUTO && width == 0 && !merge && !join->json)
-        *join = model->net.joins[--model->net.join_count]; /* nothing is wished for */
+        *join = model->joins[--model->join_count]; /* nothing is wished for */
     return KG_OK;
 }
 
@@ -212,6 +211,8 @@ static kg_status toggle_view(kg_editor *e, const json_t *a, kg_error *error) {
 static const kg_app_command items[] = {
     {"view.net", N_("Net view"), N_("Shows or hides the pages of the net beside the model."), "F4",
      NULL, toggle_view, NULL, 0},
+    {"net.set", N_("Net settings"), N_("Sets paper, tabs and labels of the net."), NULL, NULL,
+     set_net, NULL, KG_COMMAND_ARGUMENTS},
 };
 const kg_command_table kg_net_commands = {items, sizeof items / sizeof *items, 0};
 
@@ -220,8 +221,6 @@ static const kg_app_command part_items[] = {
      NULL, KG_COMMAND_ARGUMENTS},
     {"net.unpin", N_("Unpin all parts"), N_("Lets katagami place the parts of the net."), NULL,
      NULL, unpin, has_pins, KG_COMMAND_EDIT},
-    {"net.set", N_("Net settings"), N_("Sets paper, tabs and labels of the net."), NULL, NULL,
-     set_net, NULL, KG_COMMAND_ARGUMENTS},
     {"net.join", N_("Change join"), N_("Says what tabs the joins between two patches get."), NULL,
      NULL, set_join, NULL, KG_COMMAND_ARGUMENTS},
 };

@@ -53,11 +53,11 @@ static kg_status outline(kg_model *m, int64_t part, const kg_vec2 contour[4], kg
 
 /* The wish that both are one part of the net. */
 static kg_status merge(kg_model *m, int64_t a, int64_t b, kg_error *error) {
-    kg_model_join *more = realloc(m->net.joins, (m->net.join_count + 1) * sizeof *more);
+    kg_model_join *more = realloc(m->joins, (m->join_count + 1) * sizeof *more);
     if (!more)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    m->net.joins = more;
-    more[m->net.join_count++] = (kg_model_join){.patches = {a, b}, .merge = true};
+    m->joins = more;
+    more[m->join_count++] = (kg_model_join){.patches = {a, b}, .merge = true};
     return KG_OK;
 }
 

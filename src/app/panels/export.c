@@ -3,7 +3,7 @@
 #include "app/export_job.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
-#include "document/net_settings.h"
+#include "net/settings.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -48,10 +48,9 @@ static void set(kg_editor *e, const char *key, const char *word) {
 static void net_options(kg_editor *e) {
     kg_export_choice *c = &e->settings.export;
     const char *const presets[] = {_("print"), _("laser cutter"), "Silhouette", "Cricut"};
-    const kg_model *m = kg_editor_model(e);
-    int index = m ? (int)kg_net_settings_preset(&m->net) : 0;
+    int index = (int)kg_net_settings_preset(kg_document_net_settings(e->document));
     kg_ui_width(180);
-    if (m && kg_ui_choice(_("made for"), presets, 4, &index))
+    if (kg_ui_choice(_("made for"), presets, 4, &index))
         set(e, "preset", kg_net_preset_names[index]);
     kg_ui_check(_("print and cut lines in files of their own"), &c->separate);
     kg_ui_check(_("mirrored, to print on the back of the paper"), &c->mirrored);

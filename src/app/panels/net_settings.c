@@ -1,8 +1,8 @@
 /* How the net is drawn: paper, tabs, labels. */
-#include "document/net_settings.h"
 #include "app/commands/commands.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
+#include "net/settings.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +17,7 @@ static void set(kg_editor *e, const char *key, json_t *value) {
     json_decref(arguments);
 }
 
-static void show_paper(kg_editor *e, const kg_model_net *net) {
+static void show_paper(kg_editor *e, const kg_net_settings *net) {
     static const char *const sizes[] = {"A4", "A3", "A2", "letter", "legal", "none"};
     enum { SIZE_COUNT = sizeof sizes / sizeof *sizes };
     const char *const names[] = {
@@ -59,33 +59,43 @@ static void number(kg_editor *e, const char *label, double *value, double speed,
         kg_editor_commit(e);
 }
 
+/* What concerns parts that are glued and placed together: cards and sheets are one part. */
+static void show_parts(kg_editor *e, const kg_net_options *o) {
+    check(e, _("use the paper well"), "nest", o->nest,
+          _("Places the parts by their true outlines; else in rows."));
+    check(e, _("keep the paper's grain"), "grain", o->grain,
+          _("Turns parts by half turns only, so that all bend alike."));
+    check(e, _("merge parts where possible"), "merge",
+          json_is_true(json_object_get(kg_document_net_settings(e->document)->json, "merge")),
+          _("Neighbours that can be folded from one sheet become one part."));
+}
+
 void kg_panel_net_settings(kg_app *app) {
     kg_editor *e = &app->editor;
     kg_net_options o = kg_net_options_default();
-    if (!kg_editor_model(e) || !kg_ui_popup_begin("net settings"))
-        return;
-    kg_model_net *net = &kg_editor_model(e)->net;
+    bool patches = kg_editor_is(e, KG_DOCUMENT_PATCHES);
+    double tab_width;
     kg_error error;
-    if (kg_net_settings_read(net, &o, &error))
+    if (!kg_ui_popup_begin("net settings"))
+        return;
+    if (kg_document_net_options(e->document, &o, &tab_width, &error))
         kg_ui_text_wrapped(error.message);
     const char *const labels[] = {_("none"), _("inside the parts"), _("outside the parts")};
     const char *const presets[] = {_("print"), _("laser cutter"), "Silhouette", "Cricut"};
-    int preset_index = (int)kg_net_settings_preset(net);
-    show_paper(e, net);
+    show_paper(e, kg_document_net_settings(e->document));
     check(e, _("landscape"), "landscape", o.landscape, "");
-    net = &kg_editor_model(e)->net;
-    number(e, _("margin"), &net->margin, 0.2, 0, 100, "%.1f mm");
-    number(e, _("scale"), &net->scale, 0.005, 0.01, 100, "%.3f");
-    number(e, _("tab width"), &net->tab_width, 0.1, 0, 50, "%.1f mm");
-    kg_ui_tooltip(_("0: no tabs"));
-    choice(e, _("labels"), "labels", labels, kg_net_label_names, 3, (int)o.labels);
-    choice(e, _("made for"), "preset", presets, kg_net_preset_names, 4, preset_index);
-    check(e, _("use the paper well"), "nest", o.nest,
-          _("Places the parts by their true outlines; else in rows."));
-    check(e, _("keep the paper's grain"), "grain", o.grain,
-          _("Turns parts by half turns only, so that all bend alike."));
-    check(e, _("merge parts where possible"), "merge",
-          json_is_true(json_object_get(kg_editor_model(e)->net.json, "merge")),
-          _("Neighbours that can be folded from one sheet become one part."));
+    /* asked for anew each time: a change may have moved them */
+    number(e, _("margin"), &kg_document_net_settings(e->document)->margin, 0.2, 0, 100, "%.1f mm");
+    number(e, _("scale"), &kg_document_net_settings(e->document)->scale, 0.005, 0.01, 100, "%.3f");
+    if (patches) {
+        number(e, _("tab width"), &kg_document_net_settings(e->document)->tab_width, 0.1, 0, 50,
+               "%.1f mm");
+        kg_ui_tooltip(_("0: no tabs"));
+        choice(e, _("labels"), "labels", labels, kg_net_label_names, 3, (int)o.labels);
+    }
+    choice(e, _("made for"), "preset", presets, kg_net_preset_names, 4,
+           (int)kg_net_settings_preset(kg_document_net_settings(e->document)));
+    if (patches)
+        show_parts(e, &o);
     kg_ui_popup_end();
 }

@@ -1,21 +1,39 @@
-/* Reading values of a JSON tree: every failure names the file, the line and the patch. */
-#ifndef KG_MODEL_READER_H
-#define KG_MODEL_READER_H
+/*
+ * Reading the JSON trees of files: every failure names the file, the line, and what its reader adds
+ * (the patch, the column).
+ */
+#ifndef KG_BASE_READER_H
+#define KG_BASE_READER_H
 
 #include "base/json.h"
-#include "katagami/model.h"
+
+/* The format of model files that this version writes, of whatever kind. */
+#define KG_FILE_VERSION 1
 
 enum { KG_READ_DEPTH = 8 };
 
 /* Where the reader is. */
 typedef struct kg_reader {
-    const char *name, *text;
+    const char *name;
+    char *text; /* the file, zero-terminated */
+    json_t *root;
     kg_json_step path[KG_READ_DEPTH];
     size_t depth;
-    int64_t patch;
-    bool in_patch;
+    /* Says where that is in the user's words, such as "patch 3: "; NULL: the line says enough */
+    void (*place)(const void *owner, char *out, size_t size);
+    const void *owner;
     kg_error *error;
 } kg_reader;
+
+/* Parses a file; a byte order mark in front is skipped. `name` is what messages call it.
+ * KG_ERR_PARSE, KG_ERR_MEMORY: there is nothing to end. */
+kg_status kg_read_begin(kg_reader *r, const char *data, size_t size, const char *name,
+                        kg_error *error) KG_CHECKED;
+/* Frees what was parsed and passes `status` on, with a message for KG_ERR_MEMORY. */
+kg_status kg_read_end(kg_reader *r, kg_status status) KG_CHECKED;
+
+/* Is it a model file of this version and kind? `what` is such a model, with its article. */
+kg_status kg_read_header(kg_reader *r, const char *kind, const char *what) KG_CHECKED;
 
 kg_status kg_read_fail(kg_reader *r, const char *format, ...) KG_PRINTF(2, 3) KG_CHECKED;
 
@@ -23,8 +41,19 @@ kg_status kg_read_fail(kg_reader *r, const char *format, ...) KG_PRINTF(2, 3) KG
 void kg_read_enter(kg_reader *r, const char *key, size_t index);
 void kg_read_leave(kg_reader *r);
 
+/* A number of at most `limit`. */
+kg_status kg_read_number(kg_reader *r, const json_t *v, double limit, double *out) KG_CHECKED;
+
 /* `count` numbers within KG_MAX_COORDINATE. */
 kg_status kg_read_numbers(kg_reader *r, const json_t *v, size_t count, double *out) KG_CHECKED;
+
+/* `least` to 3 numbers within KG_MAX_COORDINATE; those that are not there stay. */
+kg_status kg_read_point(kg_reader *r, const json_t *v, size_t least, double out[3],
+                        size_t *out_count) KG_CHECKED;
+
+/* A whole number in [lo, hi]. */
+kg_status kg_read_index(kg_reader *r, const json_t *v, int64_t lo, int64_t hi,
+                        int32_t *out) KG_CHECKED;
 
 /* An array of rows of `width` doubles (2 or 3), as kg_vec2 or kg_vec3; free it. */
 kg_status kg_read_rows(kg_reader *r, const json_t *v, size_t width, void **out_rows,
