@@ -173,7 +173,7 @@ static void show(kg_app *app) {
         kg_load_step step = kg_load_job_step(job);
         if (kg_load_job_path(job))
             kg_ui_text_wrapped(kg_load_job_path(job));
-        kg_ui_progress(kg_load_job_is_document(job) ? (step + 0.5) / KG_LOAD_STEP_COUNT : 0.5,
+        kg_ui_progress(kg_load_job_is_document(job) ? ((int)step + 0.5) / KG_LOAD_STEP_COUNT : 0.5,
                        steps[step]);
         if (kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE))
             give_up(app);
