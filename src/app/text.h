@@ -2,7 +2,7 @@
 #ifndef KG_APP_TEXT_H
 #define KG_APP_TEXT_H
 
-#include "base/text.h"
+#include "base/phrase.h"
 
 #include <libintl.h>
 

@@ -1,5 +1,5 @@
 #include "base/file.h"
-#include "base/text.h"
+#include "base/phrase.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -39,7 +39,7 @@ static kg_status read_stream(FILE *f, char **out_data, size_t *out_size) {
 kg_status kg_file_read(const char *path, char **out_data, size_t *out_size, kg_error *error) {
     FILE *f = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
     if (!f)
-        return kg_fail(error, KG_ERR_IO, "%s: cannot open: %s", path, kg_text_of_errno(errno));
+        return kg_fail(error, KG_ERR_IO, "%s: cannot open: %s", path, kg_phrase_of_errno(errno));
     kg_status status = read_stream(f, out_data, out_size);
     int saved = errno;
     if (f != stdin)
@@ -47,7 +47,7 @@ kg_status kg_file_read(const char *path, char **out_data, size_t *out_size, kg_e
     if (status == KG_ERR_MEMORY)
         return kg_fail(error, status, "%s: out of memory", path);
     if (status)
-        return kg_fail(error, status, "%s: cannot read: %s", path, kg_text_of_errno(saved));
+        return kg_fail(error, status, "%s: cannot read: %s", path, kg_phrase_of_errno(saved));
     return KG_OK;
 }
 
@@ -60,7 +60,7 @@ kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *er
     memcpy(name + n, ".XXXXXX", 8);
     int fd = mkstemp(name);
     if (fd < 0) {
-        kg_fail(error, KG_ERR_IO, "%s: cannot write here: %s", path, kg_text_of_errno(errno));
+        kg_fail(error, KG_ERR_IO, "%s: cannot write here: %s", path, kg_phrase_of_errno(errno));
         free(name);
         return KG_ERR_IO;
     }
@@ -82,7 +82,7 @@ kg_status kg_file_commit(const char *temporary, const char *path, kg_error *erro
     if (fd >= 0)
         close(fd);
     if (!synced || rename(temporary, path) != 0) {
-        kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, kg_text_of_errno(errno));
+        kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, kg_phrase_of_errno(errno));
         unlink(temporary);
         return KG_ERR_IO;
     }
@@ -98,7 +98,7 @@ kg_status kg_file_write(const char *path, const void *data, size_t size, kg_erro
     if (strcmp(path, "-") == 0) {
         if (fwrite(data, 1, size, stdout) != size || fflush(stdout) != 0)
             return kg_fail(error, KG_ERR_IO, "standard output: cannot write: %s",
-                           kg_text_of_errno(errno));
+                           kg_phrase_of_errno(errno));
         return KG_OK;
     }
     char *temporary;
@@ -112,7 +112,7 @@ kg_status kg_file_write(const char *path, const void *data, size_t size, kg_erro
     if (ok) {
         status = kg_file_commit(temporary, path, error);
     } else {
-        status = kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, kg_text_of_errno(errno));
+        status = kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, kg_phrase_of_errno(errno));
         kg_file_discard(temporary);
     }
     free(temporary);

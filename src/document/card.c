@@ -1,7 +1,7 @@
 #include "document/card.h"
 
 #include "base/array.h"
-#include "base/text.h"
+#include "base/phrase.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,13 +50,14 @@ static bool add_issue(kg_card *card, const kg_oa_remark *remarks, size_t count) 
     char places[NAMED * 160] = "", place[160];
     for (size_t i = 0, used = 0; i < count && i < NAMED; i++, used = strlen(places)) {
         kg_oa_remark_place(&remarks[i], place, sizeof place);
-        snprintf(places + used, sizeof places - used, "%s%s", i > 0 ? kg_text("; ") : "", place);
+        snprintf(places + used, sizeof places - used, "%s%s", i > 0 ? kg_phrase("; ") : "", place);
     }
     size_t used = strlen(places);
     if (count > NAMED)
-        kg_text_print(places + used, sizeof places - used, "; and %zu more places", count - NAMED);
-    kg_text_print(issue.message, sizeof issue.message, "%s: %s; %s", places,
-                  kg_oa_trouble_reason(trouble), kg_oa_trouble_advice(trouble));
+        kg_phrase_print(places + used, sizeof places - used, "; and %zu more places",
+                        count - NAMED);
+    kg_phrase_print(issue.message, sizeof issue.message, "%s: %s; %s", places,
+                    kg_oa_trouble_reason(trouble), kg_oa_trouble_advice(trouble));
     return kg_push(&card->issues, issue);
 }
 

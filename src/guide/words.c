@@ -1,6 +1,6 @@
 #include "guide/words.h"
 
-#include "base/text.h"
+#include "base/phrase.h"
 
 #include <stdarg.h>
 
@@ -134,7 +134,7 @@ static const char *const words[KG_WORD_COUNT] = {
 char *kg_words(char *out, size_t size, kg_word word, ...) {
     va_list values;
     va_start(values, word);
-    kg_text_vprint(out, size, words[word], values);
+    kg_phrase_vprint(out, size, words[word], values);
     va_end(values);
     return out;
 }

@@ -7,6 +7,7 @@
 
 extern "C" {
 #include "base/file.h"
+#include "base/phrase.h"
 }
 
 #include <algorithm>
@@ -31,15 +32,19 @@ struct failure {
     std::string message;
 };
 
-[[noreturn]] void refuse(const std::string &message) {
-    throw failure{KG_ERR_PARSE, message};
+/* Says it in the user's language. */
+[[noreturn]] void refuse(const char *message) {
+    throw failure{KG_ERR_PARSE, kg_phrase(message)};
 }
 
 /* The item with this index, as references in the file give it. */
 template <class T>
 const T &at(const std::vector<T> &items, int index, const char *what) {
-    if (index < 0 || (size_t)index >= items.size())
-        refuse(std::string("it refers to a ") + what + " that does not exist");
+    if (index < 0 || (size_t)index >= items.size()) {
+        char message[128];
+        kg_phrase_print(message, sizeof message, "it refers to a %s that does not exist", what);
+        throw failure{KG_ERR_PARSE, message};
+    }
     return items[(size_t)index];
 }
 
@@ -427,7 +432,7 @@ void load_model(const void *data, size_t size, const char *folder, tinygltf::Mod
                : parser.LoadASCIIFromString(model, &message, &warning, text, (unsigned)size, base);
     if (!ok) {
         message = message.substr(0, message.find('\n'));
-        refuse(message.empty() ? "not a glTF file" : message);
+        refuse(message.empty() ? N_("not a glTF file") : message.c_str());
     }
 }
 

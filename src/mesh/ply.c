@@ -7,6 +7,8 @@
  * prints to the standard error.
  */
 #include "mesh/format.h"
+
+#include "base/phrase.h"
 #include "mesh/text.h"
 
 #include <stdlib.h>
@@ -57,7 +59,7 @@ typedef struct ply {
 } ply;
 
 static kg_status fail_at(const ply *p, const char *what) {
-    return kg_fail(p->error, KG_ERR_PARSE, "%s:%zu: %s", p->b->name, p->t.line, what);
+    return kg_fail(p->error, KG_ERR_PARSE, "%s:%zu: %s", p->b->name, p->t.line, kg_phrase(what));
 }
 
 static kg_status truncated(const ply *p) {

@@ -1,7 +1,7 @@
 #include "model/issues.h"
 
 #include "base/array.h"
-#include "base/text.h"
+#include "base/phrase.h"
 
 #include <stdarg.h>
 #include <stdlib.h>
@@ -11,7 +11,7 @@ kg_status kg_issues_add(kg_issues *issues, kg_severity severity, int64_t patch, 
     kg_issue issue = {.severity = severity, .patch = patch, .code = code};
     va_list args;
     va_start(args, format);
-    kg_text_vprint(issue.message, sizeof issue.message, format, args);
+    kg_phrase_vprint(issue.message, sizeof issue.message, format, args);
     va_end(args);
     return kg_push(issues, issue) ? KG_OK : KG_ERR_MEMORY;
 }

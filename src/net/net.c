@@ -1,5 +1,6 @@
 #include "katagami/net.h"
 
+#include "base/phrase.h"
 #include "net/text.h"
 
 #include <stdlib.h>
@@ -142,8 +143,11 @@ static double shoelace(const kg_net_line *line) {
 static kg_status line_check(const kg_net *net, const kg_net_line *line, size_t least, int number,
                             kg_error *error) {
     if (line->count < least)
-        return kg_fail(error, KG_ERR_INPUT, "part %d: a %s of %zu points, at least %zu are needed",
-                       number, line->closed ? "contour" : "line", line->count, least);
+        return kg_fail(error, KG_ERR_INPUT,
+                       line->closed
+                           ? N_("part %d: a contour of %zu points, at least %zu are needed")
+                           : N_("part %d: a line of %zu points, at least %zu are needed"),
+                       number, line->count, least);
     for (size_t i = 0; i < line->count; i++)
         if (!isfinite(line->points[i].x) || !isfinite(line->points[i].y))
             return kg_fail(error, KG_ERR_INPUT, "part %d: a coordinate is not a number", number);

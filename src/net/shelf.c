@@ -1,5 +1,7 @@
 #include "net/shelf.h"
 
+#include "base/phrase.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -132,9 +134,9 @@ static int by_height(const void *a, const void *b) {
 static kg_status refuse(const kg_net_part *part, const item *it, const kg_net_options *options,
                         const kg_sheet *sheet, kg_error *error) {
     char name[300];
-    snprintf(name, sizeof name,
-             *part->name && strlen(part->name) < 256 ? "part %d (%s)" : "part %d", part->number,
-             part->name);
+    kg_phrase_print(name, sizeof name,
+                    *part->name && strlen(part->name) < 256 ? N_("part %d (%s)") : N_("part %d"),
+                    part->number, part->name);
     if (fits(it->size, sheet->usable))
         return kg_fail(error, KG_ERR_INPUT,
                        "%s of %.1f x %.1f mm does not fit on a page beside what is printed in its "

@@ -5,6 +5,7 @@
 #include "net/tab_settle.h"
 
 #include "base/array.h"
+#include "base/phrase.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -364,18 +365,20 @@ static bool report_join(const tabber *t, size_t index, remark_list *out) {
 
 void kg_tab_remark_print(const kg_net *net, const kg_tab_remark *remark, char *out, size_t size) {
     static const char *const reasons[REASONS] = {
-        "the paper around it leaves no room", "another tab is in the way",
-        "the edge is short or bends tightly", "another join has tabs on that edge",
-        "its other side is no edge of this net"};
+        N_("the paper around it leaves no room"), N_("another tab is in the way"),
+        N_("the edge is short or bends tightly"), N_("another join has tabs on that edge"),
+        N_("its other side is no edge of this net")};
     int number = net->joins[remark->join].number;
-    const char *reason = reasons[remark->reason];
+    const char *reason = kg_phrase(reasons[remark->reason]);
     if (remark->trouble == KG_TAB_LOWERED)
-        snprintf(out, size, "join %d: tabs along %.1f mm are narrower, down to %.1f mm: %s", number,
-                 remark->length, remark->height, reason);
+        kg_phrase_print(out, size, "join %d: tabs along %.1f mm are narrower, down to %.1f mm: %s",
+                        number, remark->length, remark->height, reason);
     else if (remark->trouble == KG_TAB_MISSING)
-        snprintf(out, size, "join %d: %.1f mm have no tab: %s", number, remark->length, reason);
+        kg_phrase_print(out, size, "join %d: %.1f mm have no tab: %s", number, remark->length,
+                        reason);
     else
-        snprintf(out, size, "join %d: tabs are not on the side asked for: %s", number, reason);
+        kg_phrase_print(out, size, "join %d: tabs are not on the side asked for: %s", number,
+                        reason);
 }
 
 /* ---- all of it -------------------------------------------------------------------------- */

@@ -1,7 +1,7 @@
 #include "net/writers.h"
 
 #include "base/file.h"
-#include "base/text.h"
+#include "base/phrase.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -39,7 +39,7 @@ static kg_status output_prepare(output *o, kg_error *error) {
         done = false;
     return done ? KG_OK
                 : kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", o->path,
-                          kg_text_of_errno(errno));
+                          kg_phrase_of_errno(errno));
 }
 
 /* Writes every file beside its place, then moves them all there; when one cannot be written, none

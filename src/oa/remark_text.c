@@ -1,7 +1,7 @@
 /* Remarks in words. */
 #include "katagami/oa.h"
 
-#include "base/text.h"
+#include "base/phrase.h"
 
 #include <stdarg.h>
 #include <string.h>
@@ -41,11 +41,11 @@ const char *kg_oa_trouble_code(kg_oa_trouble trouble) {
 }
 
 const char *kg_oa_trouble_reason(kg_oa_trouble trouble) {
-    return kg_text(texts[trouble].reason);
+    return kg_phrase(texts[trouble].reason);
 }
 
 const char *kg_oa_trouble_advice(kg_oa_trouble trouble) {
-    return kg_text(texts[trouble].advice);
+    return kg_phrase(texts[trouble].advice);
 }
 
 /* Puts a phrase behind those before, with a comma between. */
@@ -55,10 +55,10 @@ static void add(char *text, size_t size, const char *format, ...) {
     size_t used = strlen(text);
     va_list args;
     if (used > 0)
-        kg_text_print(text + used, size - used, ", ");
+        kg_phrase_print(text + used, size - used, ", ");
     used = strlen(text);
     va_start(args, format);
-    kg_text_vprint(text + used, size - used, format, args);
+    kg_phrase_vprint(text + used, size - used, format, args);
     va_end(args);
 }
 
@@ -107,6 +107,6 @@ void kg_oa_remark_place(const kg_oa_remark *r, char *out_text, size_t size) {
 void kg_oa_remark_say(const kg_oa_remark *remark, char *out_text, size_t size) {
     char place[160];
     kg_oa_remark_place(remark, place, sizeof place);
-    kg_text_print(out_text, size, "%s: %s; %s", place, kg_oa_trouble_reason(remark->trouble),
-                  kg_oa_trouble_advice(remark->trouble));
+    kg_phrase_print(out_text, size, "%s: %s; %s", place, kg_oa_trouble_reason(remark->trouble),
+                    kg_oa_trouble_advice(remark->trouble));
 }

@@ -1,6 +1,7 @@
 /* Faces to loops: edges are found, concave faces divided. */
 #include "origami/state.h"
 
+#include "base/phrase.h"
 #include "origami/convex.h"
 
 #include <stdlib.h>
@@ -169,9 +170,9 @@ static kg_status add_loop(kg_origami_state *s, int32_t sheet, const int32_t *c, 
         const named_half *found = bsearch(&key, names, name_count, sizeof *names, compare_ends);
         if (!found || s->halves.items[found->half].loop >= 0)
             return kg_fail(error, KG_ERR_INPUT,
-                           found ? "two faces lie on the same side of the edge between vertices %d "
-                                   "and %d"
-                                 : "a face has no edge between vertices %d and %d",
+                           found ? N_("two faces lie on the same side of the edge between vertices "
+                                      "%d and %d")
+                                 : N_("a face has no edge between vertices %d and %d"),
                            key.from, key.to);
         s->halves.items[found->half].loop = loop;
         if (last >= 0)

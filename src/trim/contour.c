@@ -2,6 +2,7 @@
 #include "katagami/trim.h"
 
 #include "base/array.h"
+#include "base/phrase.h"
 #include "trim/region.h"
 
 #include <stdlib.h>
@@ -179,7 +180,7 @@ kg_status kg_trim_contour(const kg_trim *trim, const kg_regions *regions, const 
     free(c.corners);
     if (!status && pieces.count == 0)
         status = kg_fail(error, KG_ERR_INPUT,
-                         inside ? "its contour lies wholly outside what is left of it"
-                                : "its contour takes away all that is left of it");
+                         inside ? N_("its contour lies wholly outside what is left of it")
+                                : N_("its contour takes away all that is left of it"));
     return kg_trim_finish(status, &pieces, out_regions, error);
 }

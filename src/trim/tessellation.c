@@ -7,6 +7,7 @@
  */
 #include "katagami/trim.h"
 
+#include "base/phrase.h"
 #include "trim/chain.h"
 #include "trim/triangulation.h"
 
@@ -64,9 +65,9 @@ kg_status kg_region_tessellate(const kg_patch *patch, const kg_region *region,
     if (status) {
         kg_tessellation_clear(&out);
         return kg_fail(error, status,
-                       status == KG_ERR_MEMORY ? "out of memory"
-                                               : "its outline crosses itself and cannot be "
-                                                 "divided into triangles");
+                       status == KG_ERR_MEMORY ? N_("out of memory")
+                                               : N_("its outline crosses itself and cannot be "
+                                                    "divided into triangles"));
     }
     if (!patch->flip)
         turn_over(&out);
