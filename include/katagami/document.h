@@ -52,6 +52,20 @@ KG_API kg_status kg_document_from_origami(kg_origami *origami, const char *path,
                                           kg_document **out_document, kg_error *error) KG_CHECKED;
 KG_API void kg_document_destroy(kg_document *document);
 
+/* Side lengths of new sheets, mm. */
+#define KG_SHEET_LEAST 1.0
+#define KG_SHEET_MOST 10000.0
+
+/* An empty card of so many cells: width, depth, height. KG_ERR_INPUT: out of range. */
+KG_API kg_status kg_document_new_card(const int size[3], double cell_mm, kg_document **out_document,
+                                      kg_error *error) KG_CHECKED;
+/* The side of a cell, mm, for such a card: at most 2.5, less where the sheet would leave an A4. */
+KG_API double kg_document_card_cell(const int size[3]);
+/* A rectangular sheet with its lower left corner at the origin, not folded yet; colours as
+ * 0xrrggbb. KG_ERR_INPUT: out of range. */
+KG_API kg_status kg_document_new_sheet(kg_vec2 size, uint32_t front, uint32_t back,
+                                       kg_document **out_document, kg_error *error) KG_CHECKED;
+
 /* Writes the document's file, whole or not at all; from then on it lies there. A reference named
  * relative to the old place is named relative to the new one. */
 KG_API kg_status kg_document_save(kg_document *document, const char *path,

@@ -389,6 +389,9 @@ typedef struct kg_oa_options {
 /* 80 x 40 x 40 cells of 2.5 mm, up +y, front +z, one scale, smooth 3, windows, no thin tops. */
 KG_API kg_oa_options kg_oa_options_default(void);
 
+/* "x", "-y" and the like; false for other words. */
+KG_API bool kg_oa_axis_parse(const char *text, kg_vec3 *out_axis);
+
 /* Makes a card of a mesh (section 3): the depth of its front half seen from the front, smoothed,
  * made a staircase, opened by windows, thin tops left out. The first and last column, the top row
  * and the front row of the base stay plain. KG_ERR_INPUT (sizes; a mesh without any extent across

@@ -107,6 +107,10 @@ KG_API kg_vec3 kg_origami_normal(const kg_origami_state *state, int32_t loop);
 
 /* ---- sheets and folds ------------------------------------------------------------------- */
 
+/* Colours of sheets that name none, 0xrrggbb. */
+#define KG_SHEET_FRONT 0xcc3333
+#define KG_SHEET_BACK 0xffffff
+
 typedef struct kg_paper_sheet {
     size_t count;
     kg_vec2 *polygon;     /* simple, any direction, in the plane z = 0 */

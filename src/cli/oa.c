@@ -24,39 +24,17 @@ static const kg_option options[] = {
     {"progress", 0, false, NULL, "tell on standard error how far the work is"},
 };
 
-/* The largest cells, mm, that look well, and the sheet they should fit: A4 within its margins. */
-#define LARGEST_CELL 2.5
-#define SHEET_WIDTH 194.0
-#define SHEET_HEIGHT 281.0
-
-/* "-z" and the like; false for other words. */
-static bool parse_axis(const char *text, kg_vec3 *out) {
-    double sign = text[0] == '-' ? -1 : 1;
-    const char *letter = text + (text[0] == '-' || text[0] == '+');
-    if (strlen(letter) != 1 || letter[0] < 'x' || letter[0] > 'z')
-        return false;
-    *out = kg_v3(letter[0] == 'x' ? sign : 0, letter[0] == 'y' ? sign : 0,
-                 letter[0] == 'z' ? sign : 0);
-    return true;
-}
-
 static int read_axes(const kg_arguments *a, kg_oa_options *out) {
     const char *up = kg_arguments_get(a, "up"), *front = kg_arguments_get(a, "front");
-    if (up && !parse_axis(up, &out->up))
+    if (up && !kg_oa_axis_parse(up, &out->up))
         return kg_command_misuse("oa", "--up is an axis such as y or -z, not %s", up);
     if (out->up.z != 0)
         out->front = kg_v3(0, -1, 0);
-    if (front && !parse_axis(front, &out->front))
+    if (front && !kg_oa_axis_parse(front, &out->front))
         return kg_command_misuse("oa", "--front is an axis such as z or -y, not %s", front);
     if (kg_dot(out->up, out->front) != 0)
         return kg_command_misuse("oa", "--up and --front are two different axes");
     return -1;
-}
-
-/* Whole hundredths of a millimetre that fit the sheet. */
-static double cell_for(const kg_oa_options *o) {
-    double fit = fmin(SHEET_WIDTH / o->width, SHEET_HEIGHT / (o->depth + o->height));
-    return fmin(LARGEST_CELL, fmax(floor(fit * 100), 1) / 100);
 }
 
 static bool is_side(int cells, int least) {
@@ -78,7 +56,7 @@ static int read_options(const kg_arguments *a, kg_oa_options *out) {
         return code;
     if (kg_arguments_get(a, "windows") && kg_arguments_get(a, "no-windows"))
         return kg_command_misuse("oa", "--windows and --no-windows exclude each other");
-    out->cell_mm = cell_for(out);
+    out->cell_mm = kg_document_card_cell((int[]){out->width, out->depth, out->height});
     if (!kg_arguments_number(a, "cell", 1e-3, KG_OA_MAX_CELL, &out->cell_mm) ||
         !kg_arguments_number(a, "tiny", 0, KG_OA_MAX_CELL, &out->tiny_mm) ||
         !kg_arguments_number(a, "smooth", 0, KG_OA_MAX_SIZE, &smooth) ||

@@ -17,6 +17,16 @@ kg_oa_options kg_oa_options_default(void) {
                            .tiny_mm = KG_OA_TINY};
 }
 
+bool kg_oa_axis_parse(const char *text, kg_vec3 *out_axis) {
+    double sign = text[0] == '-' ? -1 : 1;
+    const char *letter = text + (text[0] == '-' || text[0] == '+');
+    if (strlen(letter) != 1 || letter[0] < 'x' || letter[0] > 'z')
+        return false;
+    *out_axis = kg_v3(letter[0] == 'x' ? sign : 0, letter[0] == 'y' ? sign : 0,
+                      letter[0] == 'z' ? sign : 0);
+    return true;
+}
+
 static bool asked_to_stop(const kg_progress *progress, double fraction, const char *what) {
     return progress && progress->call && !progress->call(progress->user, fraction, what);
 }
@@ -74,6 +84,8 @@ static kg_status check_options(const kg_mesh *mesh, const kg_oa_options *o, kg_e
         return kg_fail(error, KG_ERR_INPUT,
                        "a card made of a mesh has at least 3x2x2 cells, not %dx%dx%d", o->width,
                        o->depth, o->height);
+    if (fabs(kg_dot(o->up, o->front)) > 1e-9) /* of unit vectors: rounding only */
+        return kg_fail(error, KG_ERR_INPUT, "what points up cannot point to the front");
     if (o->smooth < 0 || (o->smooth > 1 && o->smooth % 2 == 0))
         return kg_fail(error, KG_ERR_INPUT, "the square that smooths has an odd side, not %d",
                        o->smooth);

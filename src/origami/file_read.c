@@ -76,7 +76,7 @@ static kg_status read_sheets(kg_reader *p, const json_t *origami, bool needed, k
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *v = json_array_get(list, i);
         kg_paper_sheet sheet = {
-            .front = KG_DEFAULT_FRONT, .back = KG_DEFAULT_BACK, .json = kg_read_keep(v)};
+            .front = KG_SHEET_FRONT, .back = KG_SHEET_BACK, .json = kg_read_keep(v)};
         kg_read_enter(p, NULL, i);
         status = read_polygon(p, json_object_get(v, "polygon"), &sheet);
         if (!status)

@@ -180,8 +180,8 @@ bool kg_origami_is_pattern(const kg_origami *o) {
 void kg_origami_colours(const kg_origami *o, int32_t sheet, uint32_t *out_front,
                         uint32_t *out_back) {
     bool known = sheet >= 0 && (size_t)sheet < o->sheets.count;
-    *out_front = known ? o->sheets.items[sheet].front : KG_DEFAULT_FRONT;
-    *out_back = known ? o->sheets.items[sheet].back : KG_DEFAULT_BACK;
+    *out_front = known ? o->sheets.items[sheet].front : KG_SHEET_FRONT;
+    *out_back = known ? o->sheets.items[sheet].back : KG_SHEET_BACK;
 }
 
 /* The sheets of a pattern, which are known as loops only, as the boxes around them: what bears
@@ -193,7 +193,7 @@ static kg_status list_sheets(kg_origami *o, size_t count, kg_error *error) {
         for (size_t i = 0; i < s->vertices.count; i++)
             if (s->vertices.items[i].sheet == (int32_t)o->sheets.count)
                 kg_box2_add(&box, s->vertices.items[i].paper);
-        kg_paper_sheet sheet = {.count = 4, .front = KG_DEFAULT_FRONT, .back = KG_DEFAULT_BACK};
+        kg_paper_sheet sheet = {.count = 4, .front = KG_SHEET_FRONT, .back = KG_SHEET_BACK};
         kg_vec2 corners[4] = {box.lo, kg_v2(box.hi.x, box.lo.y), box.hi, kg_v2(box.lo.x, box.hi.y)};
         sheet.polygon = malloc(sizeof corners);
         if (!sheet.polygon || !kg_push(&o->sheets, sheet)) {

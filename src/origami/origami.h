@@ -4,10 +4,6 @@
 
 #include "origami/state.h"
 
-/* Colours of sheets that name none, 0xrrggbb. */
-#define KG_DEFAULT_FRONT 0xcc3333
-#define KG_DEFAULT_BACK 0xffffff
-
 struct kg_origami {
     char *title; /* never NULL */
     kg_net_settings net;
