@@ -119,7 +119,7 @@ kg_status kg_card_expect(const kg_editor *e, const char *w, kg_error *error) {
             snprintf(is, sizeof is, "%d %d", s->hover_x, s->hover_row);
         return kg_expect_text("cell under the pointer", is, w, error);
     }
-    if (kg_expect_begins(&w, "shown remark"))
+    if (kg_expect_begins(&w, "chosen remark"))
         return kg_expect_count("remark", (size_t)(s->shown_remark + 1), w, error);
     if (kg_expect_begins(&w, "degrees"))
         return kg_expect_count("degrees of freedom", (size_t)kg_card_degrees(e), w, error);

@@ -12,6 +12,12 @@
  * through each other. No corner moves by more than a three-hundredth of the card. */
 static const double ajar = 0.003;
 
+/* A cell of so many layout units has room for its hatching. */
+enum { ROOMY_CELL = 12 };
+
+/* Around what is framed, cells. */
+enum { FRAME_MARGIN = 3 };
+
 /* What stays on the graphics card: a frame, and its shapes in one pose. */
 typedef struct stage {
     kg_card_frame frame;
@@ -43,6 +49,16 @@ kg_style kg_card_line_style(int line, bool dark) {
     if (dark && line == KG_CARD_EDGE)
         s.color = (kg_color){0.03F, 0.03F, 0.04F, 1};
     return s;
+}
+
+/* Grid and hatching fade where a cell is but a few pixels: else they would be all that is seen. */
+static void thin(const kg_editor *e, int line, kg_style *style) {
+    if (line != KG_CARD_GRID && line < KG_CARD_HATCH_LOOSE)
+        return;
+    double pixel = kg_camera_pixel_size(&e->pane.camera, e->pane.area.height) * e->pane.scale;
+    float share = (float)fmin(kg_editor_oa(e)->cell_mm / pixel / ROOMY_CELL, 1);
+    style->color.a *= line == KG_CARD_GRID ? share * share : share;
+    style->size_px *= fmaxf(share, 0.5F);
 }
 
 static kg_style surface_style(kg_card_area area) {
@@ -179,8 +195,11 @@ kg_status kg_card_scene_compose(void **cache, const kg_editor *e, kg_overlay *o,
         return status;
     for (int i = 0; i < KG_AREA_COUNT; i++)
         kg_overlay_item(o, s->surfaces[i], surface_style((kg_card_area)i));
-    for (int i = 0; i < KG_CARD_LINE_COUNT; i++)
-        kg_overlay_item(o, s->lines[i], kg_card_line_style(i, dark));
+    for (int i = 0; i < KG_CARD_LINE_COUNT; i++) {
+        kg_style style = kg_card_line_style(i, dark);
+        thin(e, i, &style);
+        kg_overlay_item(o, s->lines[i], style);
+    }
     add_hovered(e, o);
     return KG_OK;
 }
@@ -214,6 +233,11 @@ static void add_spots(const kg_editor *e, const kg_spots *b, kg_box3 *box) {
     }
 }
 
+static void widen(kg_box3 *box, double by) {
+    box->lo = kg_sub(box->lo, kg_v3(by, by, by));
+    box->hi = kg_add(box->hi, kg_v3(by, by, by));
+}
+
 kg_box3 kg_card_scene_box(const kg_editor *e, bool selection) {
     const kg_card_state *state = kg_card_state_of(e);
     const kg_oa_sheet *sheet = kg_document_sheet(e->document);
@@ -227,8 +251,10 @@ kg_box3 kg_card_scene_box(const kg_editor *e, bool selection) {
             int32_t cell = remarks->cells[r->first_cell + i];
             add_cell(e, cell % sheet->width, cell / sheet->width, &box);
         }
+        widen(&box, FRAME_MARGIN * kg_editor_oa(e)->cell_mm);
     } else if (selection && state->boxed) {
         add_spots(e, &state->box, &box);
+        widen(&box, FRAME_MARGIN * kg_editor_oa(e)->cell_mm);
     } else if (!selection) {
         for (int row = 0; row < sheet->rows; row++)
             for (int x = 0; x < sheet->width; x++)

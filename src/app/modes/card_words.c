@@ -117,9 +117,8 @@ const char *kg_card_hint(const kg_editor *e) {
     if (remark >= 0) {
         const kg_oa_remark *r = &remarks->items[remark];
         kg_card_say_place(r, place, sizeof place);
-        add(s->hint, size, "   %s %s (%s): %s; %s", kg_oa_is_fault(r->trouble) ? "✗" : "!",
-            kg_card_trouble_name(r->trouble), place, kg_card_trouble_reason(r->trouble),
-            kg_card_trouble_advice(r->trouble));
+        add(s->hint, size, "   %s %s (%s): %s", kg_oa_is_fault(r->trouble) ? "×" : "!",
+            kg_card_trouble_name(r->trouble), place, kg_card_trouble_reason(r->trouble));
     } else {
         add(s->hint, size, "   %s",
             s->brush == KG_BRUSH_PULL     ? _("Drag a face out or in")

@@ -299,6 +299,7 @@ void kg_panel_card(kg_app *app, kg_area area) {
     show_opening(e);
     show_cursor(e);
     show_sheet(e);
+    kg_panel_card_legend(e);
     show_counts(e);
     kg_ui_panel_end();
 }

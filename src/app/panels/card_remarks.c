@@ -20,7 +20,7 @@ static void show_remark(kg_editor *e, int index) {
     kg_ui_id_push(index);
     kg_ui_icon(KG_ICON_WARNING, kg_oa_is_fault(r->trouble) ? red : amber);
     kg_ui_same_line();
-    snprintf(text, sizeof text, "%s: %s", kg_card_trouble_name(r->trouble), place);
+    snprintf(text, sizeof text, "%d  %s", index + 1, kg_card_trouble_name(r->trouble));
     if (kg_ui_selectable(text, s->shown_remark == index)) {
         s->shown_remark = index;
         kg_pane_fit(&e->pane, kg_editor_box(e, true));
@@ -30,13 +30,9 @@ static void show_remark(kg_editor *e, int index) {
     snprintf(text, sizeof text, "%s: %s; %s", place, kg_card_trouble_reason(r->trouble),
              kg_card_trouble_advice(r->trouble));
     kg_ui_tooltip(text);
-    if (s->shown_remark == index) {
-        snprintf(text, sizeof text, "%s; %s.", kg_card_trouble_reason(r->trouble),
-                 kg_card_trouble_advice(r->trouble));
-        kg_ui_indent();
-        kg_ui_text_wrapped(text);
-        kg_ui_unindent();
-    }
+    kg_ui_indent();
+    kg_ui_text_wrapped(s->shown_remark == index ? text : place);
+    kg_ui_unindent();
     kg_ui_id_pop();
 }
 
@@ -81,7 +77,7 @@ static void sample_hatch(const kg_editor *e, kg_area a, kg_card_line line) {
     for (double x = a.x + 2 * s; x + h < a.x + a.width; x += step)
         kg_ui_canvas_line(kg_v2(x, a.y + (falling ? 2 * s : 2 * s + h)),
                           kg_v2(x + h, a.y + (falling ? 2 * s + h : 2 * s)), style.color,
-                          style.size_px * s);
+                          (double)style.size_px * s);
 }
 
 static void legend_row(const kg_editor *e, const char *name, kg_card_line line) {
@@ -101,7 +97,7 @@ static void legend_row(const kg_editor *e, const char *name, kg_card_line line) 
     kg_ui_text(name);
 }
 
-static void show_legend(const kg_editor *e) {
+void kg_panel_card_legend(const kg_editor *e) {
     if (!kg_ui_section(_("Legend"), true))
         return;
     legend_row(e, _("mountain fold"), KG_CARD_MOUNTAIN);
@@ -116,7 +112,5 @@ void kg_panel_card_remarks(kg_app *app, kg_area area) {
     kg_editor *e = &app->editor;
     kg_ui_panel_begin("card remarks", _("Remarks"), area, 0);
     show_remarks(e);
-    kg_ui_space();
-    show_legend(e);
     kg_ui_panel_end();
 }

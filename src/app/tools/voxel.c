@@ -330,21 +330,21 @@ static bool move_cursor(kg_editor *e, const kg_event *event) {
     return true;
 }
 
-/* What is nearest to an end: the motion, the box, the chosen remark. */
+/* Ends the motion; else what is chosen; else the brush is the usual one again. */
 static bool escape(kg_editor *e) {
     kg_card_state *s = kg_card_state_of(e);
-    if (s->painting_net)
+    bool chosen = e->message[0] || s->boxed || s->shown_remark >= 0;
+    if (s->painting_net) {
         kg_editor_cancel(e);
-    else if (s->playing)
+    } else if (s->playing) {
         kg_card_play(e, false);
-    else if (e->message[0])
+    } else if (chosen) {
         e->message[0] = '\0';
-    else if (s->boxed)
         s->boxed = false;
-    else if (s->shown_remark >= 0)
         s->shown_remark = -1;
-    else
+    } else {
         s->brush = KG_BRUSH_ADD;
+    }
     return true;
 }
 
