@@ -6,6 +6,7 @@ uniform float width;    // px
 uniform vec2 mm_per_px; // .x + .y * depth
 uniform float near;     // mm
 uniform bool ortho;
+uniform float raise;    // of the width, 0.75 where lines lie on surfaces
 
 layout(location = 0) in vec4 start; // xyz, and the length of the polyline up to here
 layout(location = 1) in vec4 end;
@@ -21,7 +22,7 @@ flat out uint line_index;
 // A line on a surface must win against it over its whole width, at any slope up to 45 degrees: draw it
 // as if it were the nearest side of a rod of that width.
 vec3 lift(vec3 p) {
-    float by = 0.75 * width * (mm_per_px.x - mm_per_px.y * p.z);
+    float by = raise * width * (mm_per_px.x - mm_per_px.y * p.z);
     return ortho ? p + vec3(0.0, 0.0, by) : p * (1.0 - min(by / length(p), 0.5));
 }
 

@@ -34,6 +34,9 @@ struct kg_mode {
     /* Bounds of what is selected, or of everything. */
     kg_box3 (*box)(const kg_editor *editor, bool selection);
 
+    /* Height of the ground, where a grid is drawn; false: none. NULL: z = 0. */
+    bool (*ground)(const kg_editor *editor, double *out_z);
+
     /* Adds what is to be seen. `cache` holds what stays on the graphics card, NULL at first. */
     kg_status (*compose)(void **cache, const kg_editor *editor, kg_overlay *overlay,
                          kg_error *error);

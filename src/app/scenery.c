@@ -14,7 +14,7 @@ struct kg_scenery {
     const kg_mode *mode; /* that made the cache */
     void *cache;
     kg_shape *grid;
-    double grid_spacing;
+    double grid_spacing, grid_z;
 };
 
 /* ---- colours ---------------------------------------------------------------------------- */
@@ -51,15 +51,27 @@ kg_style kg_line_style(kg_color color, float width) {
 /* ---- the picture ------------------------------------------------------------------------- */
 
 /* A grid of 1, 10, 100 … mm, some twenty lines across the picture. */
-static kg_status follow_grid(kg_scenery *stage, const kg_pane *pane, kg_error *error) {
+static kg_status follow_grid(kg_scenery *stage, const kg_pane *pane, double z, kg_error *error) {
     double across = kg_camera_pixel_size(&pane->camera, pane->area.height) * pane->area.width;
     double spacing = pow(10, floor(log10(fmax(across, 1e-6) / 5)));
-    if (stage->grid && spacing == stage->grid_spacing)
+    if (stage->grid && spacing == stage->grid_spacing && z == stage->grid_z)
         return KG_OK;
     kg_shape_destroy(stage->grid);
     stage->grid = NULL;
     stage->grid_spacing = spacing;
-    return kg_shape_grid(kg_v3(0, 0, 0), spacing, 20, &stage->grid, error);
+    stage->grid_z = z;
+    return kg_shape_grid(kg_v3(0, 0, z), spacing, 20, &stage->grid, error);
+}
+
+static kg_status add_grid(kg_scenery *stage, const kg_editor *e, kg_overlay *overlay,
+                          kg_error *error) {
+    double z = 0;
+    float shade = e->settings.theme == KG_UI_DARK ? 0.62F : 0.45F;
+    if (e->mode->ground && !e->mode->ground(e, &z))
+        return KG_OK;
+    kg_status status = follow_grid(stage, &e->pane, z, error);
+    kg_overlay_item(overlay, stage->grid, kg_line_style((kg_color){shade, shade, shade, 0.35F}, 1));
+    return status;
 }
 
 static kg_scene scene_of(const kg_editor *e) {
@@ -81,16 +93,12 @@ static void drop_cache(kg_scenery *stage) {
 /* Everything to be seen; the overlay is to be cleared, also on failure. */
 static kg_status compose(kg_scenery *stage, const kg_editor *e, kg_overlay *overlay,
                          kg_error *error) {
-    kg_status status = follow_grid(stage, &e->pane, error);
+    kg_status status = add_grid(stage, e, overlay, error);
     if (stage->mode != e->mode)
         drop_cache(stage);
     stage->mode = e->mode;
-    if (!status) {
-        float shade = e->settings.theme == KG_UI_DARK ? 0.62F : 0.45F;
-        kg_overlay_item(overlay, stage->grid,
-                        kg_line_style((kg_color){shade, shade, shade, 0.35F}, 1));
+    if (!status)
         status = e->mode->compose(&stage->cache, e, overlay, error);
-    }
     if (!status && e->tool->draw)
         e->tool->draw(e, overlay);
     return status;

@@ -19,6 +19,7 @@ static const char *const uniform_names[KG_UNIFORM_COUNT] = {
     [KG_UNIFORM_COLOR_IN] = "color_in",
     [KG_UNIFORM_DASHES] = "dashes",
     [KG_UNIFORM_SQUARE] = "square",
+    [KG_UNIFORM_RAISE] = "raise",
     [KG_UNIFORM_PART] = "part",
     [KG_UNIFORM_ID] = "id",
     [KG_UNIFORM_TOP] = "top",

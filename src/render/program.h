@@ -26,6 +26,7 @@ typedef enum kg_uniform {
     KG_UNIFORM_COLOR_IN,
     KG_UNIFORM_DASHES,
     KG_UNIFORM_SQUARE,
+    KG_UNIFORM_RAISE,
     KG_UNIFORM_PART,
     KG_UNIFORM_ID,
     KG_UNIFORM_TOP,

@@ -114,6 +114,7 @@ static void use_lines_or_points(const kg_program *p, const kg_frame *frame, cons
     glUniform4f(p->at[KG_UNIFORM_DASHES], scale * style->dashes_px[0], scale * style->dashes_px[1],
                 scale * style->dashes_px[2], scale * style->dashes_px[3]);
     glUniform1i(p->at[KG_UNIFORM_SQUARE], style->square);
+    glUniform1f(p->at[KG_UNIFORM_RAISE], style->exact ? 0 : 0.75F);
 }
 
 void kg_frame_item(const kg_renderer *renderer, const kg_frame *frame, const kg_item *item,
@@ -143,6 +144,9 @@ static bool is_surface(const kg_item *item) {
 }
 static bool is_opaque(const kg_item *item) {
     return item->style.color.a >= 1;
+}
+static bool is_exact(const kg_item *item) {
+    return !is_surface(item) && is_opaque(item) && item->style.exact;
 }
 
 static void draw_background(const kg_renderer *renderer, const kg_scene *scene) {
@@ -247,11 +251,14 @@ static void draw_items(const kg_renderer *renderer, const kg_frame *frame, const
         if (is_surface(item) && is_opaque(item))
             kg_frame_item(renderer, frame, item, KG_PART_CORE, 0);
     }
+    for (size_t i = 0; i < scene->item_count; i++)
+        if (is_exact(&scene->items[i]))
+            draw_thin(renderer, frame, &scene->items[i]);
     if (has_thin_items(scene))
         kg_frame_push_depth(renderer, frame, scene, KG_PART_CORE);
     for (size_t i = 0; i < scene->item_count; i++) {
         const kg_item *item = &scene->items[i];
-        if (!is_surface(item) && is_opaque(item))
+        if (!is_surface(item) && is_opaque(item) && !is_exact(item))
             draw_thin(renderer, frame, item);
     }
     const kg_item *item = NULL;

@@ -4,11 +4,25 @@
 #include "app/export.h"
 #include "app/text.h"
 
-static kg_status new_model(kg_editor *e, const json_t *a, kg_error *error) {
+static kg_status new_document(kg_editor *e, const json_t *a, kg_document_kind kind,
+                              kg_error *error) {
     if (a)
-        return kg_editor_new(e, error);
+        return kg_editor_new(e, kind, error);
     e->request = KG_REQUEST_NEW;
+    e->new_kind = kind;
     return KG_OK;
+}
+
+static kg_status new_model(kg_editor *e, const json_t *a, kg_error *error) {
+    return new_document(e, a, KG_DOCUMENT_PATCHES, error);
+}
+
+static kg_status new_card(kg_editor *e, const json_t *a, kg_error *error) {
+    return new_document(e, a, KG_DOCUMENT_OA, error);
+}
+
+static kg_status new_sheet(kg_editor *e, const json_t *a, kg_error *error) {
+    return new_document(e, a, KG_DOCUMENT_ORIGAMI, error);
 }
 
 static kg_status open_model(kg_editor *e, const json_t *a, kg_error *error) {
@@ -74,6 +88,10 @@ static bool has_parts(const kg_editor *e) {
 
 static const kg_app_command items[] = {
     {"file.new", N_("New"), N_("Starts an empty model."), "Ctrl+N", NULL, new_model, NULL, 0},
+    {"file.new_card", N_("New pop-up card"), N_("Starts an empty pop-up card."), NULL, NULL,
+     new_card, NULL, 0},
+    {"file.new_sheet", N_("New sheet to fold"), N_("Starts with a square sheet of paper."), NULL,
+     NULL, new_sheet, NULL, 0},
     {"file.open", N_("Open…"), N_("Opens a model file."), "Ctrl+O", NULL, open_model, NULL, 0},
     {"file.save", N_("Save"), N_("Saves the model."), "Ctrl+S", NULL, save, NULL, 0},
     {"file.save_as", N_("Save as…"), N_("Saves the model under another name."), "Ctrl+Shift+S",

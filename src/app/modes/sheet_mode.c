@@ -60,6 +60,7 @@ const kg_mode kg_sheet_mode = {
     .follow = kg_sheets_follow,
     .tick = tick,
     .box = kg_sheets_box,
+    .ground = kg_sheets_ground,
     .compose = kg_sheet_scene_compose,
     .drop = kg_sheet_scene_drop,
     .menu = {N_("Fold"), "fold.drag fold.axis fold.bisect fold.square fold.flip - fold.more_layers "

@@ -5,6 +5,9 @@
 
 #include <stdlib.h>
 
+/* Of a layer: how far lines lie off it, on both sides, so that the next layer hides them. */
+#define LINE_OFFSET 0.35
+
 /* Opacity of edges behind paper. */
 #define HIDDEN 0.1F
 
@@ -150,20 +153,17 @@ static line_kind kind_of(const kg_sheets *s, size_t edge) {
     return bent < 1 - 1e-9 ? LINE_STRONG : LINE_FLAT;
 }
 
-/* An edge once, or in both of its layers when they are drawn apart. */
+/* An edge in each of its layers, on both sides of it. */
 static void add_edge(mesh *m, const kg_sheets *s, size_t edge) {
-    int32_t half = (int32_t)(2 * edge);
-    bool drawn = false;
-    for (int k = 0; k < 2; k++) {
-        if (s->state->halves.items[half + k].loop < 0)
+    for (int32_t half = (int32_t)(2 * edge); half <= (int32_t)(2 * edge + 1); half++) {
+        int32_t loop = s->state->halves.items[half].loop;
+        if (loop < 0)
             continue;
-        kg_vec3 a = s->drawn[half + k], b = s->drawn[next_half(s, half + k)];
-        bool same = drawn && kg_dist(m->points.items[m->points.count - 1], a) +
-                                     kg_dist(m->points.items[m->points.count - 2], b) <
-                                 1e-6 * s->state->size;
-        if (!same)
-            add_line(m, a, b);
-        drawn = !m->failed;
+        kg_vec3 a = s->drawn[half], b = s->drawn[next_half(s, half)];
+        for (int side = -1; side <= 1; side += 2) {
+            double by = side * LINE_OFFSET * s->layer;
+            add_line(m, kg_madd(a, by, s->normals[loop]), kg_madd(b, by, s->normals[loop]));
+        }
     }
 }
 
@@ -178,7 +178,8 @@ static void show_edges(const kg_sheets *s, line_kind wanted, kg_overlay *o, kg_s
 static void show_all_edges(const kg_sheets *s, kg_overlay *o) {
     kg_style strong = kg_line_style(ink, 1.4F), flat = kg_line_style(ink, 1);
     strong.hidden = s->opacity < 1 ? 0.6F : HIDDEN;
-    flat.color.a = 0.4F;
+    strong.exact = flat.exact = true;
+    flat.color = (kg_color){0.35F, 0.35F, 0.37F, 1};
     show_edges(s, LINE_FLAT, o, flat);
     show_edges(s, LINE_STRONG, o, strong);
 }

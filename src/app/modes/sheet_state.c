@@ -10,6 +10,8 @@
 /* Between layers, over the size of the sheets: as thin as can be told apart, and spread wide. */
 #define LAYER 0.0025
 #define SPREAD_LAYER 0.08
+/* How far below flat sheets the ground lies, over their size; nearer, its grid shines through. */
+#define GROUND 0.02
 /* s, of one fold played. */
 #define FOLD_SECONDS 1.0
 
@@ -387,11 +389,20 @@ void kg_sheets_follow(kg_editor *e) {
 kg_box3 kg_sheets_box(const kg_editor *e, bool selection) {
     const kg_sheets *s = kg_sheets_of(e);
     kg_box3 box = kg_box3_empty();
-    for (size_t h = 0; s->state && h < s->state->halves.count; h++) {
-        const kg_half_edge *half = &s->state->halves.items[h];
-        if (half->loop >= 0 &&
-            (!selection || s->loops.count == 0 || kg_sheets_is_marked(&s->loops, half->loop)))
+    for (size_t h = 0; s->state && h < s->state->halves.count; h++)
+        if (s->state->halves.items[h].loop >= 0)
             kg_box3_add(&box, s->drawn[h]);
+    /* all steps, so that nothing leaves the view while they play */
+    for (size_t i = 0; !selection && i <= kg_origami_fold_count(s->origami); i++) {
+        const kg_origami_state *state = kg_origami_state_at(s->origami, i);
+        for (size_t k = 0; k < state->vertices.count; k++)
+            kg_box3_add(&box, state->vertices.items[k].position);
     }
     return box;
+}
+
+bool kg_sheets_ground(const kg_editor *e, double *out_z) {
+    const kg_sheets *s = kg_sheets_of(e);
+    *out_z = s->state ? -GROUND * s->state->size : 0;
+    return e->pane.camera.pitch >= 0;
 }

@@ -127,6 +127,9 @@ kg_status kg_sheets_create(const kg_document *document, void **out_state, kg_err
 void kg_sheets_destroy(void *state);
 void kg_sheets_follow(kg_editor *editor);
 bool kg_sheets_tick(kg_editor *editor, double seconds);
+/* Bounds of all steps, or (`selection`) of what is shown. */
 kg_box3 kg_sheets_box(const kg_editor *editor, bool selection);
+/* Just below flat sheets; none when seen from below. */
+bool kg_sheets_ground(const kg_editor *editor, double *out_z);
 
 #endif

@@ -63,7 +63,7 @@ static void history_items(kg_editor *e) {
 }
 
 double kg_panel_menu(kg_app *app) {
-    static const char start[] = "file.new file.open";
+    static const char start[] = "file.new file.new_card file.new_sheet - file.open";
     static const char file[] =
         "file.save file.save_as - reference.set - file.export_net file.export_mesh - "
         "file.quit";

@@ -38,7 +38,7 @@ static void go_on(kg_app *app, kg_purpose purpose) {
     kg_error error;
     switch (purpose) {
     case KG_FOR_NEW:
-        if (kg_editor_new(&app->editor, &error))
+        if (kg_editor_new(&app->editor, app->editor.new_kind, &error))
             kg_dialogs_fail(app, &error);
         app->framed = false;
         break;

@@ -105,14 +105,15 @@ static void place(kg_editor *e) {
     kg_vec2 middle = kg_sheet_middle(sheet), to = middle;
     double angle = angle_of(sheet), wanted = angle;
     kg_error error;
+    to = kg_v2(fabs(to.x) < 1e-9 ? 0 : to.x, fabs(to.y) < 1e-9 ? 0 : to.y); /* no "-0.00" */
     kg_ui_width(78);
-    unsigned result = kg_ui_number("x##sheet", &to.x, 0.5, -1e5, 1e5, "%.6g");
+    unsigned result = kg_ui_number("x##sheet", &to.x, 0.5, -1e5, 1e5, "%.2f");
     kg_ui_same_line();
     kg_ui_width(78);
-    result |= kg_ui_number("y##sheet", &to.y, 0.5, -1e5, 1e5, "%.6g");
+    result |= kg_ui_number("y##sheet", &to.y, 0.5, -1e5, 1e5, "%.2f");
     kg_ui_same_line();
     kg_ui_width(64);
-    result |= kg_ui_number("##angle", &wanted, 0.5, -180, 180, "%.6g°");
+    result |= kg_ui_number("##angle", &wanted, 0.5, -180, 180, "%.1f°");
     kg_ui_tooltip(_("Direction of its first side"));
     if (result & KG_FIELD_CHANGED && !kg_editor_begin(e, N_("Move sheet"), &error) &&
         kg_sheets_place(e, index, middle, (wanted - angle) * PI / 180, kg_sub2(to, middle), &error))
