@@ -14,7 +14,7 @@ static kg_status read_whole(const json_t *a, const char *name, int32_t least, in
                             kg_error *error) {
     double x = *value;
     kg_status status = kg_argument_number(a, name, &x, error);
-    if (!status && !(x == floor(x) && x >= least && x <= 1e9))
+    if (!status && json_object_get(a, name) && !(x == floor(x) && x >= least && x <= 1e9))
         status =
             kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be a whole number from %d", name, least);
     if (!status)

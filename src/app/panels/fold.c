@@ -17,12 +17,14 @@ static const char *const way_ids[KG_WAY_COUNT] = {"fold.drag", "fold.axis", "fol
 static const kg_color red = {0.95F, 0.4F, 0.3F, 1};
 
 static void show_way(kg_editor *e, const kg_fold_tool *t) {
-    for (int i = 0; i < KG_WAY_COUNT; i++) {
-        const kg_app_command *c = kg_command_find(way_ids[i]);
-        if (kg_ui_radio(_(c->title), t && t->way == (kg_fold_way)i))
-            kg_command_do(e, way_ids[i]);
-        kg_ui_tooltip(_(c->help));
-    }
+    const char *names[KG_WAY_COUNT];
+    int way = t ? (int)t->way : KG_WAY_DRAG;
+    for (int i = 0; i < KG_WAY_COUNT; i++)
+        names[i] = _(kg_command_find(way_ids[i])->title);
+    kg_ui_width(-1);
+    if (kg_ui_choice("##way", names, KG_WAY_COUNT, &way))
+        kg_command_do(e, way_ids[way]);
+    kg_ui_tooltip(_(kg_command_find(way_ids[way])->help));
 }
 
 static void show_angle(kg_editor *e, const kg_fold_tool *t) {
@@ -154,9 +156,9 @@ void kg_panel_fold(kg_app *app, kg_area area) {
         const char *why = t->phase == KG_PHASE_READY ? kg_sheets_why_not(e) : NULL;
         kg_ui_space();
         show_angle(e, t);
-        show_layers(e, t);
-        show_gaps(e, t);
         show_end(e, t);
+        show_gaps(e, t);
+        show_layers(e, t);
         if (why && !kg_sheets_of(e)->playing) {
             kg_ui_space();
             kg_ui_text_wrapped(why);
@@ -196,8 +198,10 @@ void kg_panel_fold_label(kg_app *app) {
            height = kg_ui_line_height_px() + margin;
     double x = fmin(fmax(e->pointer.x - width / 2, pane->x), pane->x + pane->width - width),
            y = fmax(e->pointer.y - LABEL_ABOVE * scale - height, pane->y);
-    kg_color color = t->given && t->refused ? (kg_color){0.62F, 0.08F, 0.06F, 0.92F}
-                                            : (kg_color){0.08F, 0.10F, 0.13F, 0.85F};
+    bool refused = t->given && t->refused;
+    kg_ui_name(refused ? "refused" : "fold label", (kg_area){x, y, width, height});
+    kg_color color =
+        refused ? (kg_color){0.62F, 0.08F, 0.06F, 0.92F} : (kg_color){0.08F, 0.10F, 0.13F, 0.85F};
     kg_ui_canvas_rect((kg_area){x, y, width, height}, color, 4 * scale);
     kg_ui_canvas_text(kg_v2(x + width / 2, y + height / 2), (kg_color){1, 1, 1, 1}, text);
 }

@@ -11,6 +11,8 @@ enum { TRACK = 17 }; /* points of the way of a corner */
 #define BEYOND 0.1
 /* The folded part is drawn clear of the layers below, in layers. */
 #define CLEAR 1.5
+/* Between stripes, over the size of the sheets. */
+#define STRIPES 0.04
 
 static const kg_color accent = {0.98F, 0.72F, 0.10F, 1}, moving = {0.20F, 0.55F, 0.95F, 1},
                       refused = {0.92F, 0.20F, 0.15F, 1}, guide = {0.10F, 0.72F, 0.55F, 1};
@@ -128,8 +130,33 @@ static void draw_crease(const kg_sheets *s, const kg_fold_tool *t, kg_overlay *o
     kg_overlay_line(o, axis, 2, thin);
 }
 
+/* Stripes over a convex polygon, so that not the colour alone tells. */
+static void draw_stripes(const kg_vec3 *p, size_t count, kg_vec3 normal, double spacing,
+                         kg_style style, kg_overlay *o) {
+    kg_vec3 u = kg_unit(kg_sub(p[1], p[0])), v = kg_cross(normal, u);
+    kg_vec3 across = kg_unit(kg_add(u, v));
+    double lo = INFINITY, hi = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        lo = fmin(lo, kg_dot(p[i], across));
+        hi = fmax(hi, kg_dot(p[i], across));
+    }
+    for (double at = spacing * ceil(lo / spacing); at < hi; at += spacing) {
+        kg_vec3 ends[2];
+        size_t found = 0;
+        for (size_t i = 0; i < count && found < 2; i++) {
+            kg_vec3 a = p[i], b = p[i + 1 < count ? i + 1 : 0];
+            double x = kg_dot(a, across) - at, y = kg_dot(b, across) - at;
+            if ((x < 0) != (y < 0))
+                ends[found++] = kg_lerp(a, b, x / (x - y));
+        }
+        if (found == 2)
+            kg_overlay_line(o, ends, 2, style);
+    }
+}
+
 /* A face as it is drawn, a little nearer to the eye on either side. */
-static void light_face(const kg_sheets *s, int32_t loop, kg_color color, kg_overlay *o) {
+static void light_face(const kg_sheets *s, int32_t loop, kg_color color, bool striped,
+                       kg_overlay *o) {
     const kg_origami_state *state = s->state;
     int32_t first = state->loops.items[loop].first, h = first;
     size_t count = 0;
@@ -143,6 +170,11 @@ static void light_face(const kg_sheets *s, int32_t loop, kg_color color, kg_over
             points[n++] = kg_madd(s->drawn[h], 0.3 * side * s->layer, s->normals[loop]);
         while ((h = state->halves.items[h].next) != first);
         draw_polygon(points, n, (kg_color){color.r, color.g, color.b, 0.45F}, o);
+        if (striped) {
+            kg_style stripes = line_style((kg_color){0.1F, 0, 0, 0.8F}, 1.5F);
+            stripes.hidden = 0;
+            draw_stripes(points, n, s->normals[loop], STRIPES * state->size, stripes, o);
+        }
         if (side > 0)
             draw_outline(points, n, line_style(color, 2.5F), o);
     }
@@ -169,10 +201,10 @@ static void draw_fold(const kg_sheets *s, const kg_fold_tool *t, kg_overlay *o) 
         return;
     for (int i = 0; i < 2 && t->refused; i++)
         if (p->faces[i] >= 0)
-            light_face(s, p->faces[i], refused, o);
+            light_face(s, p->faces[i], refused, true, o);
     for (int i = 0; i < 2 && !t->refused; i++)
         if (t->fold.between[i] >= 0)
-            light_face(s, t->fold.between[i], guide, o);
+            light_face(s, t->fold.between[i], guide, false, o);
     draw_parts(s, t, o);
     draw_crease(s, t, o);
     draw_track(t, o);
@@ -226,7 +258,7 @@ static void draw_pile(const kg_sheets *s, const kg_fold_tool *t, kg_overlay *o) 
     for (size_t i = 0; i < s->state->loops.count; i++)
         if (t->pile[i] > 0 && (t->shown_layer > 0 ? t->pile[i] == t->shown_layer
                                                   : t->layers > 1 && t->pile[i] <= t->layers))
-            light_face(s, (int32_t)i, moving, o);
+            light_face(s, (int32_t)i, moving, false, o);
 }
 
 void kg_fold_draw(const kg_editor *e, kg_overlay *o) {
