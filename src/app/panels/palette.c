@@ -96,14 +96,24 @@ void kg_panel_palette(kg_app *app) {
 /* ---- help ------------------------------------------------------------------------------- */
 
 /* What the mouse does is in no table. */
-static const char *const mouse[][3] = {
-    /* what, default, Blender */
-    {N_("Turn the view"), N_("Right drag"), N_("Middle drag")},
-    {N_("Move the view"), N_("Middle drag, Shift + right drag"), N_("Shift + middle drag")},
-    {N_("Zoom"), N_("Wheel"), N_("Wheel, Ctrl + middle drag")},
-    {N_("Select"), N_("Click; Shift adds; again: what lies behind"), NULL},
-    {N_("Select several"), N_("Drag over empty space"), NULL},
-    {N_("Drag a control point"), N_("Alt: off the reference; Ctrl: steps; Shift: fine"), NULL},
+static const struct {
+    const char *what, *keys;
+    const char *blender_keys; /* NULL: the same */
+    unsigned kinds;           /* of documents, 0: all */
+} mouse[] = {
+    {N_("Turn the view"), N_("Right drag"), N_("Middle drag"), 0},
+    {N_("Move the view"), N_("Middle drag, Shift + right drag"), N_("Shift + middle drag"), 0},
+    {N_("Zoom"), N_("Wheel"), N_("Wheel, Ctrl + middle drag"), 0},
+    {N_("Select"), N_("Click; Shift adds; again: what lies behind"), NULL,
+     KG_FOR_KIND(KG_DOCUMENT_PATCHES)},
+    {N_("Select several"), N_("Drag over empty space"), NULL, KG_FOR_KIND(KG_DOCUMENT_PATCHES)},
+    {N_("Drag a control point"), N_("Alt: off the reference; Ctrl: steps; Shift: fine"), NULL,
+     KG_FOR_KIND(KG_DOCUMENT_PATCHES)},
+    {N_("Fold a corner"),
+     N_("Drag it; click: another layer; Ctrl: steps; Alt: free; Shift: look first"), NULL,
+     KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)},
+    {N_("Layers, gaps and angle of the fold held"), N_("Wheel; Shift + wheel; numbers"), NULL,
+     KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)},
 };
 
 static void help_row(const char *what, const char *keys) {
@@ -117,6 +127,7 @@ static void help_row(const char *what, const char *keys) {
 void kg_panel_help(kg_app *app) {
     static const double widths[] = {230, 0};
     kg_navigation navigation = app->editor.settings.navigation;
+    kg_document_kind kind = kg_document_get_kind(app->editor.document);
     bool blender = navigation == KG_NAVIGATION_BLENDER;
     if (app->dialogs.open_help)
         kg_ui_popup_open("help");
@@ -128,12 +139,15 @@ void kg_panel_help(kg_app *app) {
     kg_ui_child_begin("list", 460);
     if (kg_ui_table_begin("keys", 2, widths)) {
         for (size_t i = 0; i < sizeof mouse / sizeof *mouse; i++)
-            help_row(_(mouse[i][0]), _(mouse[i][blender && mouse[i][2] ? 2 : 1]));
+            if (mouse[i].kinds == 0 || mouse[i].kinds & KG_FOR_KIND(kind))
+                help_row(
+                    _(mouse[i].what),
+                    _(blender && mouse[i].blender_keys ? mouse[i].blender_keys : mouse[i].keys));
         for (size_t i = 0; i < kg_command_count(); i++) {
             const kg_app_command *c = kg_command_at(i);
             const char *keys = kg_command_keys(c, navigation);
             char shown[64];
-            if (!keys || !kg_command_is_for(c, kg_document_get_kind(app->editor.document)))
+            if (!keys || !kg_command_is_for(c, kind))
                 continue;
             size_t n = 0; /* "A|B" as "A, B" */
             for (const char *k = keys; *k && n + 3 < sizeof shown; k++) {
