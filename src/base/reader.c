@@ -1,4 +1,5 @@
 #include "base/reader.h"
+#include "base/phrase.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -15,9 +16,11 @@ kg_status kg_read_begin(kg_reader *r, const char *data, size_t size, const char 
         data += 3, size -= 3; /* the mark that some editors put in front */
     r->root = json_loadb(data, size, JSON_REJECT_DUPLICATES, &where);
     if (!r->root)
-        return kg_fail(
-            error, KG_ERR_PARSE, "%s:%d: %s%s", name, where.line < 1 ? 1 : where.line, where.text,
-            json_error_code(&where) == json_error_invalid_utf8 ? "; save the file as UTF-8" : "");
+        return kg_fail(error, KG_ERR_PARSE,
+                       json_error_code(&where) == json_error_invalid_utf8
+                           ? N_("%s:%d: %s; save the file as UTF-8")
+                           : "%s:%d: %s",
+                       name, where.line < 1 ? 1 : where.line, where.text);
     r->text = malloc(size + 1); /* zero-terminated for the search of lines */
     if (!r->text)
         return kg_read_end(r, KG_ERR_MEMORY);
@@ -53,8 +56,10 @@ kg_status kg_read_header(kg_reader *r, const char *kind, const char *what) {
     kg_read_leave(r);
     kg_read_enter(r, "kind", 0);
     if (!found || strcmp(found, kind))
-        return kg_read_fail(r, "%s has \"kind\": \"%s\"%s%s%s", what, kind,
-                            found ? ", this one is \"" : "", found ? found : "", found ? "\"" : "");
+        return kg_read_fail(r,
+                            found ? N_("%s has \"kind\": \"%s\", this one is \"%s\"")
+                                  : N_("%s has \"kind\": \"%s\""),
+                            kg_phrase(what), kind, found);
     kg_read_leave(r);
     return KG_OK;
 }
@@ -63,7 +68,7 @@ kg_status kg_read_fail(kg_reader *r, const char *format, ...) {
     char message[KG_ERROR_SIZE / 2], where[48] = "";
     va_list args;
     va_start(args, format);
-    vsnprintf(message, sizeof message, format, args);
+    kg_phrase_vprint(message, sizeof message, format, args);
     va_end(args);
     if (r->place)
         r->place(r->owner, where, sizeof where);
@@ -150,8 +155,8 @@ kg_status kg_read_point(kg_reader *r, const json_t *v, size_t least, double out[
                         size_t *out_count) {
     size_t n = json_array_size(v);
     if (n < least || n > 3)
-        return kg_read_fail(r, least == 3 ? "3 numbers are wanted here"
-                                          : "2 or 3 numbers are wanted here");
+        return kg_read_fail(r, least == 3 ? N_("3 numbers are wanted here")
+                                          : N_("2 or 3 numbers are wanted here"));
     *out_count = n;
     return kg_read_numbers(r, v, n, out);
 }

@@ -1,5 +1,7 @@
 /* Nets of documents: unrolled, with tabs and all remarks. */
 #include "document/document.h"
+
+#include "base/phrase.h"
 #include "document/pin.h"
 #include "katagami/unroll.h"
 #include "net/merge.h"
@@ -7,7 +9,6 @@
 
 #include <jansson.h>
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -97,10 +98,10 @@ static bool *merge_wishes(const kg_model *model, const kg_net *net) {
 static kg_status merge_parts(kg_document_net *net, const kg_model *model, kg_unrolled *unrolled,
                              const kg_parts_options *options, kg_error *error) {
     static const char *const reasons[] = {
-        "it is no straight line on both parts",
-        "one part is seen from its front, the other from its back (flip one of them)",
-        "the parts would lie on each other", "the whole would not fit the page",
-        "both of its sides belong to one part already"};
+        N_("it is no straight line on both parts"),
+        N_("one part is seen from its front, the other from its back (flip one of them)"),
+        N_("the parts would lie on each other"), N_("the whole would not fit the page"),
+        N_("both of its sides belong to one part already")};
     bool *wanted = merge_wishes(model, unrolled->net);
     if (!wanted)
         return KG_ERR_MEMORY;
@@ -110,8 +111,8 @@ static kg_status merge_parts(kg_document_net *net, const kg_model *model, kg_unr
     for (size_t i = 0; i < report.remark_count && !status; i++) {
         const kg_merge_remark *r = &report.remarks[i];
         char message[KG_ERROR_SIZE / 2];
-        snprintf(message, sizeof message, "seam %d with patch %lld cannot be a fold: %s", r->number,
-                 (long long)r->sources[1], reasons[r->refusal]);
+        kg_phrase_print(message, sizeof message, "seam %d with patch %lld cannot be a fold: %s",
+                        r->number, (long long)r->sources[1], kg_phrase(reasons[r->refusal]));
         status = add_remark(net, r->sources[0], "not-merged", message);
     }
     free(report.remarks);

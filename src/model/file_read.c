@@ -2,18 +2,18 @@
 #include "katagami/model.h"
 
 #include "base/file.h"
+#include "base/phrase.h"
 #include "base/reader.h"
 #include "model/lookup.h"
 #include "net/settings.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* What messages name besides file and line. */
 static void print_patch(const void *patch, char *out, size_t size) {
     const int64_t *id = patch;
-    snprintf(out, size, "patch %lld: ", (long long)*id);
+    kg_phrase_print(out, size, "patch %lld: ", (long long)*id);
 }
 
 static void enter_patch(kg_reader *r, const kg_model_patch *p) {

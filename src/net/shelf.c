@@ -2,7 +2,6 @@
 
 #include "base/phrase.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -7,7 +7,6 @@
 #include "base/array.h"
 #include "base/phrase.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,10 +2,10 @@
 #include "katagami/oa.h"
 
 #include "base/file.h"
+#include "base/phrase.h"
 #include "base/reader.h"
 #include "net/settings.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,9 +18,9 @@ typedef struct reader {
 static void print_place(const void *owner, char *out, size_t size) {
     const reader *at = owner;
     if (at->z >= 0)
-        snprintf(out, size, "column %d, level %d: ", at->x, at->z);
+        kg_phrase_print(out, size, "column %d, level %d: ", at->x, at->z);
     else if (at->x >= 0)
-        snprintf(out, size, "column %d: ", at->x);
+        kg_phrase_print(out, size, "column %d: ", at->x);
 }
 
 /* ---- values ----------------------------------------------------------------------------- */
@@ -56,7 +56,11 @@ static kg_status read_member(reader *r, const json_t *object, const char *key, d
 
 static kg_status read_size(reader *r, const json_t *card, int size[3]) {
     const json_t *v = json_object_get(card, "size");
-    static const char *const sides[] = {"width", "depth", "height"};
+    static const char *const sides[] = {
+        N_("the width is a whole number of cells from 1 to %d"),
+        N_("the depth is a whole number of cells from 1 to %d"),
+        N_("the height is a whole number of cells from 1 to %d"),
+    };
     kg_read_enter(&r->file, "size", 0);
     kg_status status = KG_OK;
     if (!json_is_array(v) || json_array_size(v) != 3)
@@ -66,8 +70,7 @@ static kg_status read_size(reader *r, const json_t *card, int size[3]) {
         double x = json_number_value(side);
         kg_read_enter(&r->file, NULL, i);
         if (!json_is_number(side) || x != floor(x) || !(x >= 1 && x <= KG_OA_MAX_SIZE))
-            status = kg_read_fail(&r->file, "the %s is a whole number of cells from 1 to %d",
-                                  sides[i], KG_OA_MAX_SIZE);
+            status = kg_read_fail(&r->file, sides[i], KG_OA_MAX_SIZE);
         else
             size[i] = (int)x;
         kg_read_leave(&r->file);
@@ -122,25 +125,27 @@ static kg_status read_face(reader *r, const json_t *v, bool top) {
     kg_oa *oa = r->oa;
     int x = 0, z = 0;
     const int highest[2] = {oa->width - 1, oa->height - (top ? 0 : 1)};
+    static const char *const wanted[2][2] = {
+        {N_("window [%g, %g]: its column is a whole number from 0 to %d"),
+         N_("window [%g, %g]: its level is a whole number from 0 to %d")},
+        {N_("omitted top [%g, %g]: its column is a whole number from 0 to %d"),
+         N_("omitted top [%g, %g]: its height is a whole number from 0 to %d")},
+    };
     if (!json_is_array(v) || json_array_size(v) != 2)
-        return kg_read_fail(&r->file, "%s is [x, z]", top ? "an omitted top" : "a window");
+        return kg_read_fail(&r->file, "%s is [x, z]",
+                            kg_phrase(top ? N_("an omitted top") : N_("a window")));
     for (size_t i = 0; i < 2; i++) {
         double at = json_number_value(json_array_get(v, i));
         if (!json_is_number(json_array_get(v, i)) || at != floor(at) || at < 0 || at > highest[i])
-            return kg_read_fail(&r->file, "%s [%g, %g]: its %s is a whole number from 0 to %d",
-                                top ? "omitted top" : "window",
-                                json_number_value(json_array_get(v, 0)),
-                                json_number_value(json_array_get(v, 1)),
-                                i == 0 ? "column"
-                                : top  ? "height"
-                                       : "level",
-                                highest[i]);
+            return kg_read_fail(&r->file, wanted[top][i], json_number_value(json_array_get(v, 0)),
+                                json_number_value(json_array_get(v, 1)), highest[i]);
         *(i == 0 ? &x : &z) = (int)at;
     }
     if (top ? kg_oa_top(oa, x, z) == 0 : kg_oa_depth(oa, x, z) == 0)
-        return kg_read_fail(&r->file, "column %d has no %s %d for %s", x,
-                            top ? "top at height" : "front at level", z,
-                            top ? "leaving out" : "a window");
+        return kg_read_fail(&r->file,
+                            top ? N_("column %d has no top at height %d for leaving out")
+                                : N_("column %d has no front at level %d for a window"),
+                            x, z);
     if (top)
         oa->omitted[x * (oa->height + 1) + z] = 1;
     else

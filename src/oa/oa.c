@@ -1,6 +1,8 @@
 /* Cards: memory, comparison, the staircase rule. */
 #include "katagami/oa.h"
 
+#include "base/phrase.h"
+
 #include <jansson.h>
 
 #include <stdlib.h>
@@ -27,19 +29,19 @@ static kg_oa *allocate(int width, int depth, int height) {
     return NULL;
 }
 
-static kg_status check_size(int cells, const char *side, kg_error *error) {
+/* `format` says it of the side in question. */
+static kg_status check_size(int cells, const char *format, kg_error *error) {
     if (cells >= 1 && cells <= KG_OA_MAX_SIZE)
         return KG_OK;
-    return kg_fail(error, KG_ERR_INPUT, "the %s of a card is 1 to %d cells, not %d", side,
-                   KG_OA_MAX_SIZE, cells);
+    return kg_fail(error, KG_ERR_INPUT, format, KG_OA_MAX_SIZE, cells);
 }
 
 static kg_status check_sizes(int width, int depth, int height, double cell_mm, kg_error *error) {
-    kg_status status = check_size(width, "width", error);
+    kg_status status = check_size(width, N_("the width of a card is 1 to %d cells, not %d"), error);
     if (!status)
-        status = check_size(depth, "depth", error);
+        status = check_size(depth, N_("the depth of a card is 1 to %d cells, not %d"), error);
     if (!status)
-        status = check_size(height, "height", error);
+        status = check_size(height, N_("the height of a card is 1 to %d cells, not %d"), error);
     if (!status && !(cell_mm > 0 && cell_mm <= KG_OA_MAX_CELL))
         status = kg_fail(error, KG_ERR_INPUT, "a cell is above 0 and at most %g mm, not %g",
                          KG_OA_MAX_CELL, cell_mm);
