@@ -109,10 +109,10 @@ static const struct {
     {N_("Select several"), N_("Drag over empty space"), NULL, KG_FOR_KIND(KG_DOCUMENT_PATCHES)},
     {N_("Drag a control point"), N_("Alt: off the reference; Ctrl: steps; Shift: fine"), NULL,
      KG_FOR_KIND(KG_DOCUMENT_PATCHES)},
-    {N_("Fold a corner"),
-     N_("Drag it; click: another layer; Ctrl: steps; Alt: free; Shift: look first"), NULL,
+    {N_("Fold a corner"), N_("Drag it; Ctrl: steps; Alt: free; Shift: look first"), NULL,
      KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)},
-    {N_("Layers, gaps and angle of the fold held"), N_("Wheel; Shift + wheel; numbers"), NULL,
+    {N_("Layers at a corner"), N_("Click it, or numbers"), NULL, KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)},
+    {N_("While folding: layers, gaps, angle"), N_("Wheel; Shift + wheel; numbers"), NULL,
      KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)},
 };
 
