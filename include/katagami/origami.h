@@ -269,7 +269,7 @@ KG_API kg_status kg_origami_heights(const kg_origami_state *state, double *out_h
 /* What was found out about the layers of a folded crease pattern. */
 typedef struct kg_layer_report {
     double most_states; /* in: stop counting a component at this many, > 0 */
-    double most_steps;  /* in: give up after this many decisions, > 0 */
+    double most_steps;  /* in: give up after this much work: clauses looked at, > 0 */
     size_t pairs;       /* of loops that overlap */
     size_t variables;   /* of them, those that the joined edges leave free of each other */
     size_t components;  /* sets of free ones that do not depend on each other, each with a choice */
@@ -277,7 +277,7 @@ typedef struct kg_layer_report {
     bool exact;         /* false: at least so many */
 } kg_layer_report;
 
-/* 1e6 states of each component, 1e8 steps. */
+/* 1e6 states of each component, 1e8 steps, which are a few seconds. */
 KG_API kg_layer_report kg_layer_report_default(void);
 
 /* Reads a crease pattern: FOLD 1.2 (.fold: its first frame with flat vertices) or .cp (lines

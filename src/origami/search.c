@@ -7,22 +7,56 @@
 #include <string.h>
 
 /*
- * A component, or a part that became independent of the others by a decision, while its ways are
- * counted: one of its bits gets both values in turn, and the ways of each are the product of the
- * ways of the parts that what remains falls into.
+ * Counting as solvers of #SAT do it (Bayardo and Pehoushek 2000; Sang and others 2004): all bits
+ * are the first part; one bit of a part gets both values in turn, and the ways of each are the
+ * product of the ways of the parts that what remains falls into. Counts are kept, since the same
+ * part comes back under many decisions.
  */
+
+/* What a part is known by: sums of scattered numbers for its bits, and for its clauses with the
+ * values in them. That any two of a million parts share 128 bits by chance happens in one of 1e26
+ * searches. */
+typedef struct part_key {
+    uint64_t low, high;
+} part_key;
+
+/* Bits that hang together by clauses that are not settled. */
 typedef struct part {
-    size_t from, to;  /* its bits among the members */
-    size_t next, end; /* its own parts, where the next one starts and the last one ends */
+    size_t bits, end_bits;       /* among the members */
+    size_t clauses, end_clauses; /* among the places */
+    int32_t bit;                 /* to decide: of most weight */
+    int32_t number;              /* as it was found */
+    part_key key;
+} part;
+
+/* A part while its ways are counted. */
+typedef struct tally {
+    part part;
+    size_t next, end; /* its own parts: where the next one starts, where the last one ends */
     size_t trail;
-    int32_t bit;  /* to decide */
     int tried;    /* values */
     bool first;   /* the first way is still to be kept */
     bool more;    /* there may be more than `ways` */
     bool most;    /* there may be more than `product` */
     double limit; /* count no further */
     double ways, product;
-} part;
+} tally;
+
+/* A part that was counted; later ones take the places of earlier ones. */
+typedef struct record {
+    part_key key;
+    double ways;
+    bool used, more;
+} record;
+
+enum { RECORDS = 1 << 18 }; /* 8 MB, of which only what is used is touched */
+
+/* What values leave of a clause. */
+typedef struct rest {
+    int32_t clause;
+    int32_t bit;    /* a free one, -1 when the clause is settled */
+    uint32_t value; /* what those in it come to */
+} rest;
 
 typedef struct search {
     const kg_clause *clauses;
@@ -31,17 +65,24 @@ typedef struct search {
     int32_t *uses;
     int32_t *trail; /* bits in the order they got their values */
     size_t trail_count, done;
-    int32_t *members;   /* bits of the component at hand, those of each part side by side */
-    int32_t *rank;      /* of each bit, its place among the members at first */
-    int32_t *ends;      /* of a part that starts at a place among the members, its end */
-    int32_t *found;     /* members as parts, until they are copied */
-    size_t *seen, look; /* of each bit, the last look for parts that has found it */
+    int32_t *members;   /* free bits, those of each part side by side */
+    int32_t *places;    /* clauses, likewise */
+    part *parts;        /* by their first place among the members */
     signed char *first; /* values of the first way */
+    record *records;
     struct {
-        part *items;
+        tally *items;
         size_t count, capacity;
-    } parts;
-    double steps;
+    } tallies;
+    double steps; /* clauses looked at */
+    /* while parts are found */
+    int32_t *roots;   /* of each bit, an earlier one of its part */
+    int32_t *numbers; /* of roots, the part's; -1: none yet */
+    int32_t *weights; /* of each bit, how much may follow from its value */
+    rest *rests;      /* of each place */
+    part *found;
+    size_t *ends; /* of each part found, where its bits end */
+    int32_t *bits;
 } search;
 
 /* ---- clauses ---------------------------------------------------------------------------- */
@@ -144,6 +185,7 @@ static bool apply(search *s, const kg_clause *c) {
 static bool propagate(search *s) {
     while (s->done < s->trail_count) {
         int32_t bit = s->trail[s->done++];
+        s->steps += (double)(s->starts[bit + 1] - s->starts[bit]);
         for (size_t i = s->starts[bit]; i < s->starts[bit + 1]; i++)
             if (!apply(s, &s->clauses[s->uses[i]]))
                 return false;
@@ -159,187 +201,297 @@ static void undo(search *s, size_t trail) {
 
 /* ---- parts ------------------------------------------------------------------------------ */
 
-/* Bits that hang together with `bit` by clauses that are not settled, in breadth: into `found` from
- * `count` on. Returns how many are in there then. */
-static size_t find_part(search *s, int32_t bit, size_t count) {
-    size_t next = count;
-    s->found[count++] = bit;
-    s->seen[bit] = s->look;
-    for (; next < count; next++) {
-        bit = s->found[next];
-        for (size_t i = s->starts[bit]; i < s->starts[bit + 1]; i++) {
-            const kg_clause *c = &s->clauses[s->uses[i]];
-            bool sum = c->literals[3] >= 0, low = false, high = false;
-            for (int k = 0; k < 3; k++) {
-                low |= value_of(s, c->literals[k]) < 0;
-                high |= value_of(s, c->literals[k]) > 0;
-            }
-            if (!sum && low && high)
-                continue;
-            for (int k = 0; k < 3 + sum; k++) {
-                int32_t other = c->literals[k] >> 1;
-                if (s->values[other] != 0 || s->seen[other] == s->look)
-                    continue;
-                s->seen[other] = s->look;
-                s->found[count++] = other;
-            }
+static uint64_t scatter(uint64_t x) { /* splitmix64 */
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+static void add_to_key(part_key *key, uint64_t x) {
+    key->low += scatter(x);
+    key->high += scatter(~x);
+}
+
+static int32_t root_of(const search *s, int32_t bit) {
+    while (s->roots[bit] != bit)
+        bit = s->roots[bit] = s->roots[s->roots[bit]];
+    return bit;
+}
+
+/* Joins the free bits of a clause and weighs them: a decision settles clauses of two at once. */
+static rest look_at(search *s, int32_t clause) {
+    const int32_t *l = s->clauses[clause].literals;
+    bool sum = l[3] >= 0, low = false, high = false;
+    int32_t bits[4], n = 0;
+    int product = 1;
+    for (int k = 0; k < 3 + sum; k++) {
+        int value = value_of(s, l[k]);
+        if (value == 0)
+            bits[n++] = l[k] >> 1;
+        else
+            low |= value<0, high |= value> 0, product *= value;
+    }
+    if (n == 0 || (!sum && low && high))
+        return (rest){clause, -1, 0};
+    int32_t a = root_of(s, bits[0]);
+    for (int k = 0; k < n; k++) {
+        s->weights[bits[k]] += n == 2 ? 2 : 1;
+        int32_t b = root_of(s, bits[k]);
+        if (a < b)
+            s->roots[b] = a;
+        else
+            s->roots[a] = b, a = b;
+    }
+    return (rest){clause, bits[0], sum ? product > 0 : (uint32_t)low + 2 * (uint32_t)high};
+}
+
+/* The smallest first: there dead ends show soonest. */
+static int compare_parts(const void *a, const void *b) {
+    const part *x = a, *y = b;
+    if (x->end_bits != y->end_bits)
+        return x->end_bits < y->end_bits ? -1 : 1;
+    return x->bit < y->bit ? -1 : x->bit > y->bit;
+}
+
+/* Lists the parts that the free bits of a part fall into: `end_bits` and `end_clauses` are only
+ * numbers yet. Returns how many. */
+static size_t find_parts(search *s, const part *whole) {
+    size_t count = 0;
+    for (size_t i = whole->bits; i < whole->end_bits; i++) {
+        int32_t bit = s->members[i];
+        s->roots[bit] = bit;
+        s->numbers[bit] = -1;
+        s->weights[bit] = 0;
+    }
+    for (size_t i = whole->clauses; i < whole->end_clauses; i++)
+        s->rests[i] = look_at(s, s->places[i]);
+    s->steps += (double)(whole->end_clauses - whole->clauses + whole->end_bits - whole->bits);
+    for (size_t i = whole->bits; i < whole->end_bits; i++) {
+        int32_t bit = s->members[i], root = root_of(s, bit);
+        if (s->values[bit] != 0)
+            continue;
+        if (s->numbers[root] < 0) {
+            s->found[count] = (part){.bit = bit, .number = (int32_t)count};
+            s->numbers[root] = (int32_t)count++;
         }
+        part *p = &s->found[s->numbers[root]];
+        p->end_bits++;
+        add_to_key(&p->key, (uint64_t)bit);
+        int32_t more = s->weights[bit] - s->weights[p->bit];
+        if (more > 0 || (more == 0 && bit < p->bit))
+            p->bit = bit;
+    }
+    for (size_t i = whole->clauses; i < whole->end_clauses; i++) {
+        const rest *r = &s->rests[i];
+        if (r->bit < 0)
+            continue;
+        part *p = &s->found[s->numbers[root_of(s, r->bit)]];
+        p->end_clauses++;
+        add_to_key(&p->key, (uint64_t)(r->clause + 1) << 32 | r->value);
     }
     return count;
 }
 
-/* Puts the free bits of a part in front, by the parts they fall into, each with its earliest bit
- * first: so the first way that is found does not depend on how parts are found. */
-static void split(search *s, part *p) {
-    size_t count = 0, taken = 0;
-    s->look++;
-    for (size_t i = p->from; i < p->to; i++) {
-        int32_t bit = s->members[i];
-        if (s->values[bit] != 0 || s->seen[bit] == s->look)
-            continue;
-        size_t start = count, least = count;
-        count = find_part(s, bit, count);
-        for (size_t k = start; k < count; k++)
-            least = s->rank[s->found[k]] < s->rank[s->found[least]] ? k : least;
-        bit = s->found[least];
-        s->found[least] = s->found[start], s->found[start] = bit;
-        s->ends[p->from + start] = (int32_t)(p->from + count);
+/* Puts the free bits of a part in front, by the parts they fall into, and clauses that are not
+ * settled likewise. Returns where those bits end. */
+static size_t split(search *s, const part *whole) {
+    size_t count = find_parts(s, whole), bits = whole->bits, clauses = whole->clauses,
+           end = whole->end_bits - whole->bits;
+    qsort(s->found, count, sizeof *s->found, compare_parts);
+    size_t *next_bit = s->ends, *next_clause = s->ends + count + 1;
+    for (size_t i = 0; i < count; i++) {
+        part p = s->found[i];
+        p.bits = bits, p.clauses = clauses;
+        next_bit[p.number] = bits, next_clause[p.number] = clauses;
+        p.end_bits = bits += p.end_bits;
+        p.end_clauses = clauses += p.end_clauses;
+        s->parts[p.bits] = p;
     }
-    p->next = p->from;
-    p->end = p->from + count;
-    /* those with a value now, or in another part, come behind */
-    for (size_t i = p->from; i < p->to; i++)
-        if (s->values[s->members[i]] != 0)
-            s->found[count + taken++] = s->members[i];
-    memcpy(s->members + p->from, s->found, (count + taken) * sizeof *s->found);
+    next_bit[count] = bits, next_clause[count] = clauses; /* of what is settled */
+    if (end > 0)
+        memcpy(s->bits, s->members + whole->bits, end * sizeof *s->bits);
+    for (size_t i = 0; i < end; i++) {
+        int32_t bit = s->bits[i];
+        size_t p = s->values[bit] ? count : (size_t)s->numbers[root_of(s, bit)];
+        s->members[next_bit[p]++] = bit;
+    }
+    for (size_t i = whole->clauses; i < whole->end_clauses; i++) {
+        const rest *r = &s->rests[i];
+        size_t p = r->bit < 0 ? count : (size_t)s->numbers[root_of(s, r->bit)];
+        s->places[next_clause[p]++] = r->clause;
+    }
+    return bits;
 }
 
-static bool open_part(search *s, size_t from, size_t to, double limit, bool first) {
-    return kg_push(&s->parts, ((part){.from = from,
-                                      .to = to,
-                                      .trail = s->trail_count,
-                                      .bit = s->members[from],
-                                      .limit = limit,
-                                      .first = first}));
+/* ---- counting --------------------------------------------------------------------------- */
+
+static bool open_part(search *s, const part *p, double limit, bool first) {
+    return kg_push(&s->tallies,
+                   ((tally){.part = *p, .trail = s->trail_count, .limit = limit, .first = first}));
+}
+
+static record *record_of(const search *s, part_key key) {
+    return &s->records[key.low & (RECORDS - 1)];
+}
+
+/* The count of a part, when it is known well enough. */
+static const record *recall(const search *s, const part *p, double limit, bool first) {
+    const record *r = record_of(s, p->key);
+    bool same = r->used && r->key.low == p->key.low && r->key.high == p->key.high;
+    return same && (!first || r->ways == 0) && (!r->more || r->ways >= limit) ? r : NULL;
+}
+
+/* One part of a part is counted. */
+static void multiply(tally *whole, double ways, bool more) {
+    whole->product = fmin(whole->product * ways, DBL_MAX);
+    whole->most |= more;
 }
 
 /* All parts of a part are counted. */
-static void take_ways(search *s, part *p) {
-    for (size_t i = p->trail; p->first && i < s->trail_count; i++)
+static void add_ways(search *s, tally *c) {
+    for (size_t i = c->trail; c->first && i < s->trail_count; i++)
         s->first[s->trail[i]] = s->values[s->trail[i]];
-    p->first = false;
-    p->more |= p->most;
-    p->ways = fmin(p->ways + p->product, DBL_MAX);
+    c->first = false;
+    c->more |= c->most;
+    c->ways = fmin(c->ways + c->product, DBL_MAX);
 }
 
-/* Counts the ways of the component at hand, which is `count` members, and keeps the first. 0 when
- * there is none, or when the steps are over before there is one: then `*exact` is false. */
-static kg_status count_ways(search *s, size_t count, const kg_layer_report *r, bool *exact,
-                            double *out_ways) {
-    *out_ways = 0;
-    if (!open_part(s, 0, count, r->most_states, true))
+/* Counts the ways of a part, up to `limit`, and keeps the first when it is asked for. When the
+ * steps are over before there is any, `*out_ways` is 0 and `*out_more` true. */
+static kg_status count_ways(search *s, const part *whole, double limit, double most_steps,
+                            bool first, double *out_ways, bool *out_more) {
+    if (!open_part(s, whole, limit, first))
         return KG_ERR_MEMORY;
-    while (s->parts.count > 0) {
-        part *p = &s->parts.items[s->parts.count - 1];
-        if (p->next < p->end && p->product > 0) {
-            size_t from = p->next;
-            p->next = (size_t)s->ends[from];
-            if (!open_part(s, from, p->next, (p->limit - p->ways) / p->product, p->first))
+    while (s->tallies.count > 0) {
+        tally *c = &s->tallies.items[s->tallies.count - 1];
+        if (c->next < c->end && c->product > 0) {
+            const part *p = &s->parts[c->next];
+            double most = (c->limit - c->ways) / c->product;
+            const record *known = recall(s, p, most, c->first);
+            c->next = p->end_bits;
+            if (known)
+                multiply(c, known->ways, known->more);
+            else if (!open_part(s, p, most, c->first))
                 return KG_ERR_MEMORY;
             continue;
         }
-        if (p->tried > 0 && p->product > 0)
-            take_ways(s, p);
-        undo(s, p->trail);
-        bool over = s->steps > r->most_steps,
-             enough = p->tried < 2 && ((p->ways > 0 && p->ways >= p->limit) || over);
-        if (enough || p->tried == 2) {
-            bool more = p->more || enough;
-            *out_ways = p->ways;
-            if (--s->parts.count > 0) {
-                part *whole = &s->parts.items[s->parts.count - 1];
-                whole->product = fmin(whole->product * *out_ways, DBL_MAX);
-                whole->most |= more;
-                whole->more |= over;
-            } else {
-                *exact &= !more;
+        if (c->tried > 0 && c->product > 0)
+            add_ways(s, c);
+        undo(s, c->trail);
+        bool over = s->steps > most_steps,
+             enough = c->tried < 2 && ((c->ways > 0 && c->ways >= c->limit) || over);
+        if (enough || c->tried == 2) {
+            c->more |= enough;
+            *out_ways = c->ways;
+            *out_more = c->more;
+            if (!over)
+                *record_of(s, c->part.key) = (record){c->part.key, c->ways, true, c->more};
+            if (--s->tallies.count > 0) {
+                tally *up = &s->tallies.items[s->tallies.count - 1];
+                multiply(up, *out_ways, *out_more);
+                up->more |= over;
             }
             continue;
         }
-        s->steps += p->tried == 0;
-        assign(s, 2 * p->bit + p->tried++);
-        p->product = propagate(s);
-        p->next = p->end = 0;
-        p->most = false;
-        if (p->product > 0)
-            split(s, p);
+        assign(s, 2 * c->part.bit + c->tried++);
+        c->product = propagate(s);
+        c->next = c->end = c->part.bits;
+        c->most = false;
+        if (c->product > 0)
+            c->end = split(s, &c->part);
     }
     return KG_OK;
 }
 
 /* ---- all -------------------------------------------------------------------------------- */
 
-static kg_status search_all(search *s, const int32_t *links, size_t bits, kg_layer_report *r) {
+/* First a way of every component, then how many there are. */
+static kg_status search_parts(search *s, const part *components, size_t count, size_t trail,
+                              kg_layer_report *r) {
+    double ways;
+    bool more;
+    for (size_t i = 0; i < count; i++) {
+        kg_status status = count_ways(s, &components[i], 1, r->most_steps, true, &ways, &more);
+        if (status)
+            return status;
+        if (ways == 0)
+            return more ? KG_ERR_CANCELLED : KG_ERR_INPUT;
+    }
+    r->states = 1;
+    for (size_t i = 0; i < count; i++) {
+        kg_status status =
+            count_ways(s, &components[i], r->most_states, r->most_steps, false, &ways, &more);
+        if (status)
+            return status;
+        r->states = fmin(r->states * fmax(ways, 1), DBL_MAX);
+        r->exact &= !more;
+    }
+    undo(s, trail);
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = components[i].bits; k < components[i].end_bits; k++)
+            s->values[s->members[k]] = s->first[s->members[k]];
+    return KG_OK;
+}
+
+static kg_status search_all(search *s, const int32_t *links, size_t bits, size_t clauses,
+                            kg_layer_report *r) {
+    part whole = {.end_clauses = clauses};
     for (size_t i = 0; i < bits; i++)
         if (s->values[i] != 0)
             s->trail[s->trail_count++] = (int32_t)i;
+        else if (links[i] >> 1 == (int32_t)i)
+            s->members[whole.end_bits++] = (int32_t)i;
+    for (size_t i = 0; i < clauses; i++)
+        s->places[i] = (int32_t)i;
     r->states = 0;
     r->components = 0;
     r->exact = true;
     if (!propagate(s))
         return KG_ERR_INPUT;
-    double states = 1;
-    for (size_t i = 0; i < bits; i++) {
-        if (s->values[i] != 0 || links[i] >> 1 != (int32_t)i)
-            continue;
-        s->look++;
-        size_t count = find_part(s, (int32_t)i, 0);
-        for (size_t k = 0; k < count; k++) {
-            s->members[k] = s->found[k];
-            s->rank[s->members[k]] = (int32_t)k;
-        }
-        double ways;
-        kg_status status = count_ways(s, count, r, &r->exact, &ways);
-        if (status)
-            return status;
-        if (ways == 0)
-            return r->exact ? KG_ERR_INPUT : KG_ERR_CANCELLED;
-        states = fmin(states * ways, DBL_MAX);
+    size_t end = split(s, &whole);
+    for (size_t i = 0; i < end; i = s->parts[i].end_bits)
         r->components++;
-        for (size_t k = 0; k < count; k++)
-            assign(s, 2 * s->members[k] + (s->first[s->members[k]] < 0));
-        s->done = s->trail_count;
-    }
-    r->states = states;
-    return KG_OK;
+    part *components = malloc((r->components + 1) * sizeof *components);
+    if (!components)
+        return KG_ERR_MEMORY;
+    size_t count = 0;
+    for (size_t i = 0; i < end; i = s->parts[i].end_bits)
+        components[count++] = s->parts[i];
+    kg_status status = search_parts(s, components, count, s->trail_count, r);
+    free(components);
+    return status;
 }
 
 kg_status kg_search(kg_clauses *clauses, const int32_t *links, size_t bits, signed char *values,
                     kg_layer_report *report) {
     tidy(clauses);
+    size_t n = bits + 1, m = clauses->count + 1;
     search s = {.clauses = clauses->items,
                 .values = values,
-                .trail = malloc((bits + 1) * sizeof *s.trail),
-                .members = malloc((bits + 1) * sizeof *s.members),
-                .rank = malloc((bits + 1) * sizeof *s.rank),
-                .ends = malloc((bits + 1) * sizeof *s.ends),
-                .found = malloc((bits + 1) * sizeof *s.found),
-                .seen = calloc(bits + 1, sizeof *s.seen),
-                .first = malloc(bits + 1)};
+                .trail = malloc(n * sizeof *s.trail),
+                .members = malloc(n * sizeof *s.members),
+                .places = malloc(m * sizeof *s.places),
+                .parts = malloc(n * sizeof *s.parts),
+                .first = calloc(n, 1),
+                .records = calloc(RECORDS, sizeof *s.records),
+                .roots = malloc(n * sizeof *s.roots),
+                .numbers = malloc(n * sizeof *s.numbers),
+                .weights = malloc(n * sizeof *s.weights),
+                .rests = malloc(m * sizeof *s.rests),
+                .found = malloc(n * sizeof *s.found),
+                .ends = malloc(2 * n * sizeof *s.ends),
+                .bits = malloc(n * sizeof *s.bits)};
     kg_status status = KG_ERR_MEMORY;
-    if (s.trail && s.members && s.rank && s.ends && s.found && s.seen && s.first)
+    if (s.trail && s.members && s.places && s.parts && s.first && s.records && s.roots &&
+        s.numbers && s.weights && s.rests && s.found && s.ends && s.bits)
         status = index_uses(&s, clauses, bits);
     if (!status)
-        status = search_all(&s, links, bits, report);
-    free(s.starts);
-    free(s.uses);
-    free(s.trail);
-    free(s.members);
-    free(s.rank);
-    free(s.ends);
-    free(s.found);
-    free(s.seen);
-    free(s.first);
-    free(s.parts.items);
+        status = search_all(&s, links, bits, clauses->count, report);
+    void *all[] = {s.starts, s.uses,    s.trail, s.members,      s.places,  s.parts,
+                   s.first,  s.records, s.roots, s.numbers,      s.weights, s.rests,
+                   s.found,  s.ends,    s.bits,  s.tallies.items};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        free(all[i]);
     return status;
 }
