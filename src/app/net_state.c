@@ -1,5 +1,6 @@
 #include "app/net_state.h"
 
+#include "app/text.h"
 #include "app/export.h"
 #include "document/pin.h"
 #include "net/clash.h"
@@ -173,7 +174,7 @@ static void start(kg_net_state *s, const kg_editor *e) {
     s->number = e->solved;
     s->rough = e->before != NULL;
     if (!j) {
-        fail(s, "out of memory");
+        fail(s, _("out of memory"));
         return;
     }
     j->number = e->solved;
@@ -182,7 +183,7 @@ static void start(kg_net_state *s, const kg_editor *e) {
         fail(s, error.message);
         destroy_job(j);
     } else if (!take_seats(s, j) || pthread_create(&j->thread, NULL, run, j)) {
-        fail(s, "no memory for another thread");
+        fail(s, _("no memory for another thread"));
         destroy_job(j);
     } else {
         s->job = j;

@@ -1,10 +1,15 @@
 #include "app/commands/arguments.h"
 
-#include <stdio.h>
+#include "app/text.h"
+
 #include <stdlib.h>
 
+static kg_status wrong_rows(const char *name, size_t width, kg_error *error) {
+    return kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be a list of [%zu numbers]", name, width);
+}
+
 static kg_status wrong(const char *name, const char *wanted, kg_error *error) {
-    return kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be %s", name, wanted);
+    return kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be %s", name, _(wanted));
 }
 
 kg_status kg_argument_number(const json_t *arguments, const char *name, double *value,
@@ -13,7 +18,7 @@ kg_status kg_argument_number(const json_t *arguments, const char *name, double *
     if (!x)
         return KG_OK;
     if (!json_is_number(x))
-        return wrong(name, "a number", error);
+        return wrong(name, N_("a number"), error);
     *value = json_number_value(x);
     return KG_OK;
 }
@@ -24,7 +29,7 @@ kg_status kg_argument_bool(const json_t *arguments, const char *name, bool *valu
     if (!x)
         return KG_OK;
     if (!json_is_boolean(x))
-        return wrong(name, "true or false", error);
+        return wrong(name, N_("true or false"), error);
     *value = json_is_true(x);
     return KG_OK;
 }
@@ -35,7 +40,7 @@ kg_status kg_argument_id(const json_t *arguments, const char *name, int64_t *val
     if (!x)
         return KG_OK;
     if (!json_is_integer(x))
-        return wrong(name, "a whole number", error);
+        return wrong(name, N_("a whole number"), error);
     *value = json_integer_value(x);
     return KG_OK;
 }
@@ -45,7 +50,7 @@ kg_status kg_argument_index(const json_t *arguments, const char *name, size_t *v
     int64_t number = (int64_t)*value;
     kg_status status = kg_argument_id(arguments, name, &number, error);
     if (!status && number < 0)
-        status = wrong(name, "0 or more", error);
+        status = wrong(name, N_("0 or more"), error);
     if (!status)
         *value = (size_t)number;
     return status;
@@ -57,7 +62,7 @@ kg_status kg_argument_text(const json_t *arguments, const char *name, const char
     if (!x)
         return KG_OK;
     if (!json_is_string(x))
-        return wrong(name, "a text", error);
+        return wrong(name, N_("a text"), error);
     *value = json_string_value(x);
     return KG_OK;
 }
@@ -65,10 +70,8 @@ kg_status kg_argument_text(const json_t *arguments, const char *name, const char
 kg_status kg_argument_rows(const json_t *arguments, const char *name, size_t width,
                            double **out_numbers, size_t *out_count, kg_error *error) {
     const json_t *list = json_object_get(arguments, name);
-    char wanted[64];
-    snprintf(wanted, sizeof wanted, "a list of [%zu numbers]", width);
     if (!json_is_array(list))
-        return wrong(name, wanted, error);
+        return wrong_rows(name, width, error);
     size_t count = json_array_size(list);
     double *numbers = calloc(count * width + 1, sizeof *numbers);
     if (!numbers)
@@ -77,7 +80,7 @@ kg_status kg_argument_rows(const json_t *arguments, const char *name, size_t wid
         const json_t *row = json_array_get(list, i / width), *x = json_array_get(row, i % width);
         if (json_array_size(row) != width || !json_is_number(x)) {
             free(numbers);
-            return wrong(name, wanted, error);
+            return wrong_rows(name, width, error);
         }
         numbers[i] = json_number_value(x);
     }
@@ -119,15 +122,15 @@ kg_status kg_argument_patches(const kg_editor *e, const json_t *arguments, int64
     for (size_t i = 0; i < count && !status; i++) {
         const json_t *id = one ? one : list ? json_array_get(list, i) : NULL;
         if (id && !json_is_integer(id))
-            status =
-                wrong(one ? "patch" : "patches", one ? "a number" : "a list of numbers", error);
+            status = wrong(one ? "patch" : "patches",
+                           one ? N_("a number") : N_("a list of numbers"), error);
         ids[i] = id ? json_integer_value(id) : e->selection.patches.items[i];
         if (!status)
             status = check_patch(e, ids[i], error);
     }
     if (!status && count == 0)
         status = kg_fail(error, KG_ERR_INPUT,
-                         arguments ? "\"patch\" is missing" : "select a patch first");
+                         arguments ? N_("\"patch\" is missing") : N_("select a patch first"));
     if (status) {
         free(ids);
         return status;

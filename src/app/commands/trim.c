@@ -121,7 +121,8 @@ static kg_status trim_inside(kg_editor *e, const json_t *a, kg_error *error) {
         return status;
     }
     status = add_and_solve(e, id, &op, error);
-    /* by hand, the face can be shown with a click, if that is what is missing */
+    /* by hand, the face can be shown with a click, if that is what is missing; the message names
+     * the file's key for it in every language */
     if (status && !a && strstr(error->message, "keep"))
         return kg_tool_start_face(e, id, error);
     return kg_editor_finish(e, status);

@@ -1,5 +1,7 @@
 #include "app/modes/card_edit.h"
 
+#include "app/text.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -132,8 +134,8 @@ kg_status kg_pulled_create(const kg_editor *e, kg_spot spot, bool level, kg_pull
                    level ? oa->depth_limit : oa->height, NULL};
     if (p.at == 0 && !boxed)
         return kg_fail(error, KG_ERR_INPUT,
-                       level ? "there is no block here; select a box of the base first"
-                             : "there is no block here; select a box of the back sheet first");
+                       level ? N_("there is no block here; select a box of the base first")
+                             : N_("there is no block here; select a box of the back sheet first"));
     size_t places = (size_t)p.columns * (size_t)p.rows;
     int *stack = malloc(places * sizeof *stack);
     p.inside = calloc(places, 1);
