@@ -1,7 +1,7 @@
 #include "app/net_state.h"
 
-#include "app/text.h"
 #include "app/export.h"
+#include "app/text.h"
 #include "document/pin.h"
 #include "net/clash.h"
 #include "net/sheet.h"
