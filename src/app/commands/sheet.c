@@ -4,6 +4,7 @@
 #include "app/modes/sheet_edit.h"
 #include "app/scenery.h"
 #include "app/text.h"
+#include "app/tools/tool.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -169,7 +170,7 @@ static kg_status place(kg_editor *e, size_t index, double angle, kg_vec2 center,
                        const char *label, kg_error *error) {
     kg_status status = kg_editor_begin(e, label, error);
     return status ? status
-                  : kg_editor_finish(e, kg_sheets_place(e, index, center, angle, by, error));
+                  : kg_editor_finish(e, kg_sheets_place(e, index, NULL, center, angle, by, error));
 }
 
 /* Where its middle lies; there is none of a pattern's sheets to be moved. */
@@ -258,6 +259,15 @@ static kg_status lower_sheet(kg_editor *e, const json_t *a, kg_error *error) {
     return reorder(e, a, -1, error);
 }
 
+static kg_status arrange(kg_editor *e, const json_t *a, kg_error *error) {
+    (void)a, (void)error;
+    if (e->tool == &kg_tool_sheets)
+        kg_editor_use_default(e);
+    else
+        kg_editor_use(e, &kg_tool_sheets, NULL);
+    return KG_OK;
+}
+
 static bool can_add(const kg_editor *e) {
     return !kg_sheets_why_fixed(e);
 }
@@ -268,6 +278,9 @@ static bool can_place(const kg_editor *e) {
 static const kg_app_command items[] = {
     {"sheet.add", N_("Add sheet"), N_("Adds a square sheet beside the others."), NULL, NULL, add,
      can_add, KG_COMMAND_EDIT},
+    {"sheet.arrange", N_("Arrange sheets"),
+     N_("Drags sheets to where they lie before the first fold, and turns them by a ring."), "G",
+     NULL, arrange, can_add, 0},
     {"sheet.duplicate", N_("Duplicate sheet"), N_("Adds another sheet of the same form."),
      "Shift+D", NULL, duplicate, can_place, KG_COMMAND_EDIT},
     {"sheet.remove", N_("Delete sheet"), N_("Takes the selected sheet away."), NULL, NULL,

@@ -88,12 +88,12 @@ kg_vec2 kg_sheet_middle(const kg_paper_sheet *sheet) {
     return kg_lerp2(box.lo, box.hi, 0.5);
 }
 
-kg_status kg_sheets_place(kg_editor *e, size_t index, kg_vec2 center, double angle, kg_vec2 by,
-                          kg_error *error) {
+kg_status kg_sheets_place(kg_editor *e, size_t index, const kg_paper_sheet *from, kg_vec2 center,
+                          double angle, kg_vec2 by, kg_error *error) {
     kg_origami *o = kg_editor_origami(e);
     if (index >= kg_origami_sheet_count(o))
         return kg_fail(error, KG_ERR_INPUT, _("there is no sheet %zu"), index + 1);
-    const kg_paper_sheet *sheet = kg_origami_sheet(o, index);
+    const kg_paper_sheet *sheet = from ? from : kg_origami_sheet(o, index);
     kg_vec2 *corners = calloc(sheet->count + 1, sizeof *corners);
     if (!corners)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");

@@ -19,9 +19,10 @@ kg_status kg_sheet_corners(const kg_sheet_size *size, kg_vec2 out[KG_SHEET_MOST_
 /* Adds a sheet on top, with its own corners moved by `at`; `at` NULL: beside the others. */
 kg_status kg_sheets_add(kg_editor *editor, const kg_vec2 *corners, size_t count, const kg_vec2 *at,
                         uint32_t front, uint32_t back, kg_error *error) KG_CHECKED;
-/* Turns a sheet by `angle` about `center`, then moves it. */
-kg_status kg_sheets_place(kg_editor *editor, size_t sheet, kg_vec2 center, double angle, kg_vec2 by,
-                          kg_error *error) KG_CHECKED;
+/* Turns a sheet by `angle` about `center`, then moves it, starting from how `from` lies (NULL: it
+ * does). */
+kg_status kg_sheets_place(kg_editor *editor, size_t sheet, const kg_paper_sheet *from,
+                          kg_vec2 center, double angle, kg_vec2 by, kg_error *error) KG_CHECKED;
 /* Puts a sheet at another place in the order; later ones lie on top. */
 kg_status kg_sheets_reorder(kg_editor *editor, size_t sheet, size_t to, kg_error *error) KG_CHECKED;
 

@@ -18,7 +18,7 @@ static bool tick(kg_editor *e, double seconds) {
 static const char *context_menu(const kg_editor *e) {
     (void)e;
     return "step.play step.from_here step.remove - step.xray step.spread - sheet.add "
-           "sheet.duplicate sheet.remove - view.frame_all";
+           "sheet.arrange sheet.duplicate sheet.remove - view.frame_all";
 }
 
 static void toolbar(kg_app *app) {
@@ -63,11 +63,11 @@ const kg_mode kg_sheet_mode = {
     .ground = kg_sheets_ground,
     .compose = kg_sheet_scene_compose,
     .drop = kg_sheet_scene_drop,
-    .menu = {N_("Fold"), "fold.drag fold.axis fold.bisect fold.square fold.flip - fold.more_layers "
-                         "fold.fewer_layers fold.next_gap fold.make - fold.unfold - sheet.add "
-                         "sheet.duplicate sheet.remove sheet.raise sheet.lower - step.play "
-                         "step.back step.forth step.first step.last - step.from_here step.remove - "
-                         "step.xray step.spread"},
+    .menu = {N_("Fold"),
+             "fold.drag fold.axis fold.bisect fold.square fold.flip - fold.more_layers "
+             "fold.fewer_layers fold.next_gap fold.make - fold.unfold step.remove step.from_here - "
+             "step.play step.back step.forth step.first step.last - step.xray step.spread - "
+             "sheet.add sheet.arrange sheet.duplicate sheet.remove sheet.raise sheet.lower"},
     .context = context_menu,
     .toolbar = toolbar,
     .side = side,

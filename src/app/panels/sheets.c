@@ -116,7 +116,8 @@ static void place(kg_editor *e) {
     result |= kg_ui_number("##angle", &wanted, 0.5, -180, 180, "%.1f°");
     kg_ui_tooltip(_("Direction of its first side"));
     if (result & KG_FIELD_CHANGED && !kg_editor_begin(e, N_("Move sheet"), &error) &&
-        kg_sheets_place(e, index, middle, (wanted - angle) * PI / 180, kg_sub2(to, middle), &error))
+        kg_sheets_place(e, index, NULL, middle, (wanted - angle) * PI / 180, kg_sub2(to, middle),
+                        &error))
         kg_editor_say(e, KG_FAULT, "%s", error.message);
     if (result & KG_FIELD_ENDED)
         kg_editor_commit(e);

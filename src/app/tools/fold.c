@@ -344,6 +344,8 @@ static bool on_key(kg_editor *e, kg_fold_tool *t, const kg_event *event) {
     bool working = t->phase != KG_PHASE_READY;
     if (event->mods & (KG_MOD_CTRL | KG_MOD_ALT))
         return false;
+    if (event->key == KG_KEY_ESCAPE && kg_sheets_of(e)->playing)
+        return false; /* it stops that */
     if (event->key == KG_KEY_ESCAPE) {
         kg_editor_say(e, KG_WARNING, "%s", "");
         if (!working)

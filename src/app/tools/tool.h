@@ -30,6 +30,7 @@ extern const kg_tool kg_tool_cutter;
 extern const kg_tool kg_tool_pieces;
 extern const kg_tool kg_tool_contour;
 extern const kg_tool kg_tool_fold;
+extern const kg_tool kg_tool_sheets;
 extern const kg_tool kg_tool_voxel;
 
 #endif
