@@ -231,8 +231,8 @@ typedef struct kg_fold_gap {
     int32_t depth;        /* layers that lie above the gap */
 } kg_fold_gap;
 
-/* All gaps between faces at rest that a fold can end in, from the top down; of those that come to
- * the same only one. free() the list. Errors as above, of the fold that ends outside. */
+/* Gaps between faces at rest that a fold can end in, from the top down; of those that come to the
+ * same only one. Where hundreds of layers lie on each other only the uppermost are tried, or none. free() the list. Errors as above, of the fold that ends outside. */
 KG_API kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold,
                               kg_fold_gap **out_gaps, size_t *out_count,
                               kg_error *error) KG_CHECKED;

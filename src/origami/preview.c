@@ -7,6 +7,9 @@
 /* More layers than this where a fold ends are more than anybody chooses from. */
 enum { MOST_LAYERS = 64 };
 
+/* Orders looked at in all while gaps are tried, so that people do not wait: some 0.2 s. */
+#define MOST_ORDERS 50000
+
 static const double PI = 3.141592653589793;
 
 void kg_fold_preview_clear(kg_fold_preview *p) {
@@ -205,24 +208,23 @@ static kg_status try_gap(const kg_origami_state *state, const kg_fold *fold, kg_
     return KG_OK;
 }
 
-static kg_status try_gaps(const kg_origami_state *state, const kg_fold *fold,
-                          const kg_fold_axis *axis, const kg_origami_state *after,
-                          const bool *moves, gaps *list, kg_origami_state **states) {
+/* Neighbours among the layers that the fold ends on. */
+static kg_status find_candidates(const kg_fold_axis *axis, const kg_origami_state *after,
+                                 const bool *moves, gaps *list) {
     int32_t loops[MOST_LAYERS];
     size_t count = find_landing(after, moves, axis->group, loops);
-    kg_status status = KG_OK;
     for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < count && !status; k++) {
-            kg_fold_gap gap = {.lower = loops[i], .upper = loops[k]};
+        for (size_t k = 0; k < count; k++) {
+            kg_fold_gap gap = {.lower = loops[i], .upper = loops[k], .depth = 1};
             if (seen_order(after, axis, gap.lower, gap.upper) <= 0 ||
                 !are_neighbours(after, axis, loops, count, gap.lower, gap.upper))
                 continue;
             for (size_t n = 0; n < count; n++)
                 gap.depth += seen_order(after, axis, gap.upper, loops[n]) > 0;
-            gap.depth++;
-            status = try_gap(state, fold, gap, list, states);
+            if (!kg_push(list, gap))
+                return KG_ERR_MEMORY;
         }
-    return status;
+    return KG_OK;
 }
 
 /* From the top down, those of the same depth as they were found. */
@@ -233,6 +235,19 @@ static void sort_gaps(gaps *list) {
             list->items[k] = list->items[k - 1];
             list->items[k - 1] = swap;
         }
+}
+
+static kg_status try_gaps(const kg_origami_state *state, const kg_fold *fold,
+                          const kg_fold_axis *axis, const kg_origami_state *after,
+                          const bool *moves, gaps *list, kg_origami_state **states) {
+    gaps candidates = {0};
+    kg_status status = find_candidates(axis, after, moves, &candidates);
+    size_t most = MOST_ORDERS / (after->orders.count + 1);
+    sort_gaps(&candidates);
+    for (size_t i = 0; i < candidates.count && i < most && !status; i++)
+        status = try_gap(state, fold, candidates.items[i], list, states);
+    free(candidates.items);
+    return status;
 }
 
 kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold, kg_fold_gap **out_gaps,
@@ -260,7 +275,6 @@ kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold, kg_fo
         free(list.items);
         return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
     }
-    sort_gaps(&list);
     *out_gaps = list.items;
     *out_count = list.count;
     return KG_OK;

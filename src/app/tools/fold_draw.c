@@ -53,20 +53,21 @@ static double stack_height(const kg_sheets *s, const kg_fold_tool *t, kg_vec3 up
     return most;
 }
 
-/* A convex polygon, seen from both sides. */
-static void draw_polygon(const kg_vec3 *p, size_t count, kg_color color, kg_overlay *o) {
-    kg_surface surface = {.vertex_count = count, .triangle_count = count - 2};
-    uint32_t *triangles = malloc(3 * count * sizeof *triangles);
+/* Convex polygons, seen from both sides: polygon i from starts[i] up to starts[i + 1]. */
+static void draw_polygons(const kg_vec3 *p, const size_t *starts, size_t count, kg_color color,
+                          kg_overlay *o) {
+    kg_surface surface = {.vertex_count = starts[count]};
+    uint32_t *triangles = malloc((3 * starts[count] + 1) * sizeof *triangles);
     kg_style style = kg_style_default(color);
-    if (!triangles || count < 3) {
-        free(triangles);
+    if (!triangles)
         return;
-    }
-    for (uint32_t i = 0; i + 2 < count; i++) {
-        triangles[3 * i] = 0;
-        triangles[3 * i + 1] = i + 1;
-        triangles[3 * i + 2] = i + 2;
-    }
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = starts[i] + 2; k < starts[i + 1]; k++) {
+            uint32_t *t = triangles + 3 * surface.triangle_count++;
+            t[0] = (uint32_t)starts[i];
+            t[1] = (uint32_t)k - 1;
+            t[2] = (uint32_t)k;
+        }
     surface.positions = (kg_vec3 *)(uintptr_t)p; /* read only */
     surface.triangles = triangles;
     style.back = color;
@@ -75,36 +76,72 @@ static void draw_polygon(const kg_vec3 *p, size_t count, kg_color color, kg_over
     free(triangles);
 }
 
-static void draw_outline(kg_vec3 *p, size_t count, kg_style style, kg_overlay *o) {
-    p[count] = p[0];
-    kg_overlay_line(o, p, count + 1, style);
+/* Their outlines, of all or of those that `which` tells (NULL: all). */
+static void draw_outlines(const kg_vec3 *p, const size_t *starts, size_t count, const bool *which,
+                          kg_style style, kg_overlay *o) {
+    kg_vec3 *points = malloc((starts[count] + count + 1) * sizeof *points);
+    uint32_t *begins = malloc((count + 1) * sizeof *begins);
+    kg_lines lines = {points, begins, 0};
+    uint32_t n = 0;
+    for (size_t i = 0; i < count && points && begins; i++) {
+        if (which && !which[i])
+            continue;
+        begins[lines.line_count++] = n;
+        for (size_t k = starts[i]; k < starts[i + 1]; k++)
+            points[n++] = p[k];
+        points[n++] = p[starts[i]];
+    }
+    if (lines.line_count > 0) {
+        begins[lines.line_count] = n;
+        kg_overlay_lines(o, &lines, style);
+    }
+    free(points);
+    free(begins);
 }
 
 /* ---- the fold ---------------------------------------------------------------------------- */
+
+/* How high a face is drawn above its plane. */
+static double face_height(const kg_sheets *s, int32_t loop, kg_vec3 up) {
+    int32_t h = s->state->loops.items[loop].first;
+    return kg_dot(kg_sub(s->drawn[h], s->positions[s->state->halves.items[h].origin]), up);
+}
+
+/* Where the folded part is drawn: on all layers, or between the two chosen. */
+static double landing_height(const kg_sheets *s, const kg_fold_tool *t, kg_vec3 up) {
+    const int32_t *b = t->fold.between;
+    if (b[0] >= 0 && !t->refused)
+        return (face_height(s, b[0], up) + face_height(s, b[1], up)) / 2;
+    return stack_height(s, t, up) + CLEAR * s->layer;
+}
 
 static void draw_parts(const kg_sheets *s, const kg_fold_tool *t, kg_overlay *o) {
     const kg_fold_preview *p = &t->preview;
     kg_vec3 up = kg_scale(p->normal, p->angle > 0 ? 1 : -1);
     bool flat = fabs(t->angle_deg) == 180;
-    kg_vec3 lift = kg_scale(up, stack_height(s, t, up) + CLEAR * s->layer);
+    kg_vec3 above = kg_scale(up, stack_height(s, t, up) + CLEAR * s->layer),
+            landing = kg_scale(up, landing_height(s, t, up));
     kg_color color = t->refused ? refused : moving;
-    size_t most = p->part_count > 0 ? p->starts[p->part_count] : 0;
-    kg_vec3 *points = malloc((most + 1) * sizeof *points);
-    for (size_t i = 0; points && i < p->part_count; i++) {
-        size_t count = p->starts[i + 1] - p->starts[i];
-        const kg_vec3 *from = p->points + p->starts[i];
-        bool lit = t->shown_layer > 0 && p->layers[p->loops[i]] == t->shown_layer;
-        kg_style before = line_style(lit ? accent : color, lit ? 3.5F : 1.5F);
-        for (size_t k = 0; k < count; k++)
-            points[k] = kg_add(from[k], lift);
-        draw_outline(points, count, before, o);
-        for (size_t k = 0; k < count; k++)
-            points[k] = flat ? kg_add(kg_fold_preview_turn(p, from[k], 1), lift)
-                             : kg_fold_preview_turn(p, kg_add(from[k], lift), 1);
-        draw_polygon(points, count, (kg_color){color.r, color.g, color.b, 0.38F}, o);
-        draw_outline(points, count, line_style(color, 2), o);
+    size_t count = p->part_count > 0 ? p->starts[p->part_count] : 0;
+    kg_vec3 *points = malloc((count + 1) * sizeof *points);
+    bool *lit = calloc(p->part_count + 1, sizeof *lit);
+    if (count > 0 && points && lit) {
+        for (size_t i = 0; i < p->part_count; i++)
+            lit[i] = p->layers[p->loops[i]] == t->shown_layer;
+        for (size_t i = 0; i < count; i++)
+            points[i] = kg_add(p->points[i], above);
+        draw_outlines(points, p->starts, p->part_count, NULL, line_style(color, 1.5F), o);
+        if (t->shown_layer > 0)
+            draw_outlines(points, p->starts, p->part_count, lit, line_style(accent, 3.5F), o);
+        for (size_t i = 0; i < count; i++)
+            points[i] = flat ? kg_add(kg_fold_preview_turn(p, p->points[i], 1), landing)
+                             : kg_fold_preview_turn(p, kg_add(p->points[i], above), 1);
+        draw_polygons(points, p->starts, p->part_count,
+                      (kg_color){color.r, color.g, color.b, 0.38F}, o);
+        draw_outlines(points, p->starts, p->part_count, NULL, line_style(color, 2), o);
     }
     free(points);
+    free(lit);
 }
 
 static void draw_crease(const kg_sheets *s, const kg_fold_tool *t, kg_overlay *o) {
@@ -116,11 +153,12 @@ static void draw_crease(const kg_sheets *s, const kg_fold_tool *t, kg_overlay *o
         double along = kg_dot(kg_sub(p->creases[i], p->origin), p->axis);
         lo = fmin(lo, along), hi = fmax(hi, along);
     }
-    for (size_t i = 0; i < p->crease_count; i++) {
-        kg_vec3 ends[2] = {kg_add(p->creases[2 * i], lift), kg_add(p->creases[2 * i + 1], lift)};
-        kg_overlay_line(o, ends, 2, crease_style(t));
-    }
-    if (lo > hi) /* it folds at an edge that is there: the axis across the paper */
+    /* the cuts of all layers lie on one line */
+    kg_vec3 crease[2] = {kg_add(kg_madd(p->origin, lo, p->axis), lift),
+                         kg_add(kg_madd(p->origin, hi, p->axis), lift)};
+    if (lo < hi)
+        kg_overlay_line(o, crease, 2, crease_style(t));
+    else /* it folds at an edge that is there: the axis across the paper */
         lo = -s->state->size, hi = s->state->size;
     double more = BEYOND * s->state->size;
     kg_vec3 axis[2] = {kg_add(kg_madd(p->origin, lo - more, p->axis), lift),
@@ -169,14 +207,15 @@ static void light_face(const kg_sheets *s, int32_t loop, kg_color color, bool st
         do
             points[n++] = kg_madd(s->drawn[h], 0.3 * side * s->layer, s->normals[loop]);
         while ((h = state->halves.items[h].next) != first);
-        draw_polygon(points, n, (kg_color){color.r, color.g, color.b, 0.45F}, o);
+        draw_polygons(points, (const size_t[]){0, n}, 1,
+                      (kg_color){color.r, color.g, color.b, 0.45F}, o);
         if (striped) {
             kg_style stripes = line_style((kg_color){0.1F, 0, 0, 0.8F}, 1.5F);
             stripes.hidden = 0;
             draw_stripes(points, n, s->normals[loop], STRIPES * state->size, stripes, o);
         }
         if (side > 0)
-            draw_outline(points, n, line_style(color, 2.5F), o);
+            draw_outlines(points, (const size_t[]){0, n}, 1, NULL, line_style(color, 2.5F), o);
     }
     free(points);
 }
