@@ -172,7 +172,7 @@ typedef struct kg_item {
 } kg_item;
 
 /* All that one picture shows. Opaque surfaces come first, then lines and points in their order,
- * then see-through items from the far to the near. */
+ * then see-through surfaces from the far to the near, then see-through lines and points. */
 typedef struct kg_scene {
     const kg_item *items;
     size_t item_count;

@@ -193,11 +193,11 @@ static void draw_see_through(const kg_renderer *renderer, const kg_frame *frame,
     glDisable(GL_BLEND);
 }
 
-/* The see-through item to draw after `last` (NULL: the first): the farthest of those nearer than
- * it, in list order where equally far. NULL after the nearest. A scan each time, without a list to
- * sort: scenes have few of them. */
+/* The see-through item, a surface or not, to draw after `last` (NULL: the first): the farthest of
+ * those nearer than it, in list order where equally far. NULL after the nearest. A scan each time,
+ * without a list to sort: scenes have few of them. */
 static const kg_item *next_see_through(const kg_scene *scene, const kg_camera *camera,
-                                       const kg_item *last) {
+                                       bool surfaces, const kg_item *last) {
     kg_vec3 right, up, back;
     kg_camera_axes(camera, &right, &up, &back);
     const kg_item *best = NULL;
@@ -206,7 +206,8 @@ static const kg_item *next_see_through(const kg_scene *scene, const kg_camera *c
     for (size_t i = 0; i < scene->item_count; i++) {
         const kg_item *item = &scene->items[i];
         double depth = kg_dot(item->shape->origin, back);
-        if (is_opaque(item) || depth < last_depth || (last && depth == last_depth && item <= last))
+        if (is_opaque(item) || is_surface(item) != surfaces || depth < last_depth ||
+            (last && depth == last_depth && item <= last))
             continue;
         if (!best || depth < best_depth) {
             best = item;
@@ -262,12 +263,10 @@ static void draw_items(const kg_renderer *renderer, const kg_frame *frame, const
             draw_thin(renderer, frame, item);
     }
     const kg_item *item = NULL;
-    while ((item = next_see_through(scene, frame->camera, item)) != NULL) {
-        if (is_surface(item))
-            draw_see_through(renderer, frame, item);
-        else
-            draw_thin(renderer, frame, item);
-    }
+    while ((item = next_see_through(scene, frame->camera, true, item)) != NULL)
+        draw_see_through(renderer, frame, item);
+    while ((item = next_see_through(scene, frame->camera, false, item)) != NULL)
+        draw_thin(renderer, frame, item);
 }
 
 static void draw_silhouette(const kg_renderer *renderer, const kg_frame *frame,

@@ -5,8 +5,12 @@
 
 #include <stdlib.h>
 
-/* Of a layer: how far lines lie off it, on both sides, so that the next layer hides them. */
-#define LINE_OFFSET 0.35
+/* Over the size of the sheets: how far lines lie off their layer, on both sides; less than half of
+ * the least distance of layers, so that the next one hides them. */
+#define LINE_OFFSET 0.0009
+
+/* Of the distance between two layers: how far their common edge bulges. */
+#define BULGE 0.15
 
 /* Opacity of edges behind paper. */
 #define HIDDEN 0.1F
@@ -81,18 +85,32 @@ static int32_t next_half(const kg_sheets *s, int32_t half) {
     return s->state->halves.items[half].next;
 }
 
-/* Layers of a folded edge are joined by a narrow strip, as thick as what lies between them. Its
- * front is where the paper's is. */
-static void add_bend(mesh *m, const kg_sheets *s, int32_t half) {
+/* Where two layers of a folded edge are drawn apart: corners of the strip that joins them. */
+static bool bend_of(const kg_sheets *s, int32_t half, kg_vec3 out[4]) {
     int32_t twin = half ^ 1;
     if (s->state->halves.items[twin].loop < 0 || half > twin)
+        return false;
+    out[0] = s->drawn[next_half(s, half)];
+    out[1] = s->drawn[half];
+    out[2] = s->drawn[next_half(s, twin)];
+    out[3] = s->drawn[twin];
+    return kg_dist(out[1], out[2]) + kg_dist(out[0], out[3]) > 1e-6 * s->state->size;
+}
+
+/* The strip bulges, so that one around another lies outside of it. Its front is where the paper's
+ * is. */
+static void add_bend(mesh *m, const kg_sheets *s, int32_t half) {
+    kg_vec3 p[4];
+    if (s->spread > 0 || !bend_of(s, half, p))
         return;
-    kg_vec3 a = s->drawn[half], b = s->drawn[next_half(s, half)], c = s->drawn[twin],
-            d = s->drawn[next_half(s, twin)];
-    if (kg_dist(a, d) + kg_dist(b, c) < 1e-6 * s->state->size)
-        return;
-    add_triangle(m, b, a, d);
-    add_triangle(m, b, d, c);
+    int32_t loop = s->state->halves.items[half].loop;
+    kg_vec3 out = kg_unit(kg_cross(kg_sub(p[0], p[1]), s->normals[loop]));
+    kg_vec3 a = kg_madd(kg_lerp(p[1], p[2], 0.5), BULGE * kg_dist(p[1], p[2]), out);
+    kg_vec3 b = kg_madd(kg_lerp(p[0], p[3], 0.5), BULGE * kg_dist(p[0], p[3]), out);
+    add_triangle(m, p[0], p[1], a);
+    add_triangle(m, p[0], a, b);
+    add_triangle(m, b, a, p[2]);
+    add_triangle(m, b, p[2], p[3]);
 }
 
 static void add_loop(mesh *m, const kg_sheets *s, int32_t loop) {
@@ -161,7 +179,7 @@ static void add_edge(mesh *m, const kg_sheets *s, size_t edge) {
             continue;
         kg_vec3 a = s->drawn[half], b = s->drawn[next_half(s, half)];
         for (int side = -1; side <= 1; side += 2) {
-            double by = side * LINE_OFFSET * s->layer;
+            double by = side * LINE_OFFSET * s->state->size;
             add_line(m, kg_madd(a, by, s->normals[loop]), kg_madd(b, by, s->normals[loop]));
         }
     }
@@ -175,13 +193,30 @@ static void show_edges(const kg_sheets *s, line_kind wanted, kg_overlay *o, kg_s
     show_lines(&m, o, style);
 }
 
+/* Between layers drawn far apart: what belongs together, without hiding what lies between. */
+static void show_threads(const kg_sheets *s, kg_overlay *o) {
+    mesh m = {0};
+    kg_vec3 p[4];
+    for (size_t h = 0; s->spread > 0 && h < s->state->halves.count; h++)
+        if (s->state->halves.items[h].loop >= 0 && bend_of(s, (int32_t)h, p)) {
+            add_line(&m, p[1], p[2]);
+            add_line(&m, p[0], p[3]);
+        }
+    kg_style style = kg_line_style((kg_color){0.5F, 0.5F, 0.55F, 1}, 1);
+    style.exact = true;
+    show_lines(&m, o, style);
+}
+
 static void show_all_edges(const kg_sheets *s, kg_overlay *o) {
     kg_style strong = kg_line_style(ink, 1.4F), flat = kg_line_style(ink, 1);
-    strong.hidden = s->opacity < 1 ? 0.6F : HIDDEN;
-    strong.exact = flat.exact = true;
+    strong.hidden = s->spread > 0 ? 0 : HIDDEN;
+    strong.exact = flat.exact = s->opacity >= 1;
     flat.color = (kg_color){0.35F, 0.35F, 0.37F, 1};
+    if (s->opacity < 1) /* over the paper, which hides none of them */
+        strong.color.a = flat.color.a = 0.7F;
     show_edges(s, LINE_FLAT, o, flat);
     show_edges(s, LINE_STRONG, o, strong);
+    show_threads(s, o);
 }
 
 /* ---- marks ------------------------------------------------------------------------------- */

@@ -29,7 +29,7 @@ void kg_panel_context_menu(kg_app *app);
 
 void kg_panel_sheets(kg_app *app); /* in the window that is open */
 void kg_panel_steps(kg_app *app);
-void kg_panel_steps_bar(kg_app *app); /* over the 3D view */
+void kg_panel_steps_bar(kg_app *app); /* takes its place from the 3D view */
 
 /* Dialogs: opened by flags of app->dialogs. */
 void kg_panel_palette(kg_app *app);

@@ -1,11 +1,11 @@
-/* Over the view: a slider through all steps, and how layers are drawn. */
+/* Below the view: a slider through all steps, and how layers are drawn. */
 #include "app/commands/commands.h"
 #include "app/modes/sheet_state.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
 
 /* Layout units. */
-enum { HEIGHT = 44, MARGIN = 10, LAYERS_WIDTH = 90 };
+enum { HEIGHT = 42, LAYERS_WIDTH = 90 };
 
 /* Of a fold: the slider rests at whole steps so near. */
 #define REST 0.04
@@ -53,11 +53,11 @@ static void drawing(kg_editor *e) {
 
 void kg_panel_steps_bar(kg_app *app) {
     kg_editor *e = &app->editor;
-    const kg_area *a = &e->pane.area;
-    double u = e->pane.scale;
-    kg_area area = {a->x + MARGIN * u, a->y + a->height - (HEIGHT + MARGIN) * u,
-                    fmax(a->width - 2 * MARGIN * u, 1), HEIGHT * u};
-    kg_ui_panel_begin("steps bar", NULL, area, KG_PANEL_NO_SCROLL);
+    kg_area *a = &e->pane.area;
+    double height = fmin(HEIGHT * e->pane.scale, a->height - 1);
+    a->height -= height;
+    kg_ui_panel_begin("steps bar", NULL, (kg_area){a->x, a->y + a->height, a->width, height},
+                      KG_PANEL_NO_SCROLL);
     steps(e);
     drawing(e);
     kg_ui_panel_end();
