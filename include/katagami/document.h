@@ -61,7 +61,7 @@ KG_API kg_status kg_document_new_card(const int size[3], double cell_mm, kg_docu
                                       kg_error *error) KG_CHECKED;
 /* The side of a cell, mm, for such a card: at most 2.5, less where the sheet would leave an A4. */
 KG_API double kg_document_card_cell(const int size[3]);
-/* A rectangular sheet with its lower left corner at the origin, not folded yet; colours as
+/* A rectangular sheet with its middle at the origin, not folded yet; colours as
  * 0xrrggbb. KG_ERR_INPUT: out of range. */
 KG_API kg_status kg_document_new_sheet(kg_vec2 size, uint32_t front, uint32_t back,
                                        kg_document **out_document, kg_error *error) KG_CHECKED;

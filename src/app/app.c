@@ -9,7 +9,6 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 /* Frames after an event until everything has its place: a menu opens in the second. More would mean
  * that something moves for ever. */
@@ -19,6 +18,7 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, const kg
                       kg_error *error) {
     kg_language_use(settings->language);
     *app = (kg_app){.width = width, .height = height, .scale = scale, .redraw = true};
+    app->dialogs.creation = kg_creation_default();
     kg_status status = kg_editor_init(&app->editor, settings, error);
     if (status)
         return status;
@@ -34,6 +34,7 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, const kg
 void kg_app_clear(kg_app *app) {
     kg_export_stop(app);
     kg_loading_stop(app);
+    kg_conversion_stop(app);
     kg_net_view_clear(&app->net_view);
     kg_scenery_destroy(app->stage);
     kg_ui_destroy();
@@ -51,6 +52,15 @@ static void serve_request(kg_app *app) {
     case KG_REQUEST_NEW:
         kg_dialogs_go_on(app, KG_FOR_NEW);
         break;
+    case KG_REQUEST_NEW_CARD:
+        kg_dialogs_go_on(app, KG_FOR_NEW_CARD);
+        break;
+    case KG_REQUEST_NEW_SHEETS:
+        kg_dialogs_go_on(app, KG_FOR_NEW_SHEETS);
+        break;
+    case KG_REQUEST_CARD_FROM_MESH:
+        kg_dialogs_go_on(app, KG_FOR_CONVERSION);
+        break;
     case KG_REQUEST_OPEN:
         kg_dialogs_go_on(app, KG_FOR_OPEN);
         break;
@@ -64,10 +74,13 @@ static void serve_request(kg_app *app) {
         kg_dialogs_browse(app, KG_FOR_REFERENCE);
         break;
     case KG_REQUEST_EXPORT_NET:
-        kg_export_ask(app, false);
+        kg_export_ask(app, KG_FOR_NET);
         break;
     case KG_REQUEST_EXPORT_MESH:
-        kg_export_ask(app, true);
+        kg_export_ask(app, KG_FOR_MESH);
+        break;
+    case KG_REQUEST_EXPORT_GUIDE:
+        kg_export_ask(app, KG_FOR_GUIDE);
         break;
     case KG_REQUEST_PALETTE:
         app->dialogs.open_palette = true;
@@ -94,16 +107,13 @@ static void serve_request(kg_app *app) {
 }
 
 void kg_app_open(kg_app *app, const char *path) {
-    const char *dot = strrchr(path, '.');
-    static const char *const models[] = {".katagami", ".json", ".fold", ".cp"};
-    bool is_model = !dot;
-    for (size_t i = 0; dot && i < sizeof models / sizeof *models; i++)
-        is_model = is_model || strcasecmp(dot, models[i]) == 0;
     snprintf(app->dialogs.path, sizeof app->dialogs.path, "%s", path);
-    if (is_model)
+    if (!kg_dialogs_is_mesh(path))
         kg_dialogs_go_on(app, KG_FOR_OPEN_PATH);
-    else
+    else if (kg_editor_model(&app->editor))
         kg_dialogs_use_file(app, KG_FOR_REFERENCE, path);
+    else
+        kg_dialogs_go_on(app, KG_FOR_CARD_OF_PATH);
 }
 
 /* ---- events ----------------------------------------------------------------------------- */
@@ -115,6 +125,8 @@ static bool is_of_mouse(const kg_event *e) {
 
 static void give_to_editor(kg_app *app, const kg_event *event) {
     kg_editor *e = &app->editor;
+    if (event->type == KG_EVENT_PRESS || event->type == KG_EVENT_KEY)
+        app->start = false;
     if (kg_axes_event(app, event) || kg_net_view_event(&app->net_view, e, event))
         return;
     if (event->type == KG_EVENT_WHEEL && e->tool->event(e, event)) /* what is held may want it */

@@ -18,6 +18,8 @@ typedef struct kg_axes_ball {
     bool over, held;
 } kg_axes_ball;
 
+typedef struct kg_conversion kg_conversion;
+
 typedef struct kg_app {
     kg_editor editor;
     kg_scenery *stage;
@@ -29,6 +31,7 @@ typedef struct kg_app {
     kg_net_view net_view;
     struct kg_export_job *export_job; /* NULL: nothing is being written */
     struct kg_load_job *load_job;     /* NULL: nothing is being read */
+    kg_conversion *conversion;        /* NULL: no card is being made of a mesh */
     struct {
         struct kg_load_job **items;
         size_t count, capacity;
@@ -37,6 +40,7 @@ typedef struct kg_app {
     double autosaved;          /* clock of the last autosave */
     bool has_autosave;         /* its file is there */
     bool framed;               /* the camera was set to the document at least once */
+    bool start;                /* the panel to start with is shown */
     bool quit;
     bool busy;   /* work goes on in the background: look again soon */
     bool redraw; /* the picture is no longer what is shown */
@@ -47,7 +51,8 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, const kg
                       kg_error *error) KG_CHECKED;
 void kg_app_clear(kg_app *app);
 
-/* Opens a model, or takes a mesh as the reference. What goes wrong is shown. */
+/* Opens a model; a mesh becomes the reference of a patch model, else a card. What goes wrong is
+ * shown. */
 void kg_app_open(kg_app *app, const char *path);
 
 /* Handles one event, `seconds` after the last one. */

@@ -1,6 +1,5 @@
 #include "app/editor.h"
 
-#include "app/blank.h"
 #include "app/mode.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
@@ -302,9 +301,12 @@ kg_status kg_editor_take(kg_editor *e, kg_document *document, const char *path, 
     return KG_OK;
 }
 
-kg_status kg_editor_new(kg_editor *e, kg_document_kind kind, kg_error *error) {
+kg_status kg_editor_new(kg_editor *e, kg_error *error) {
     kg_document *document;
-    kg_status status = kg_blank_document(kind, &document, error);
+    kg_model *model = kg_model_create();
+    if (!model)
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status = kg_document_from_model(model, NULL, &document, error);
     return status ? status : kg_editor_take(e, document, NULL, error);
 }
 
@@ -360,7 +362,7 @@ kg_status kg_editor_init(kg_editor *e, const kg_settings *settings, kg_error *er
     e->pane.scale = 1;
     if (kg_settings_copy(settings, &e->settings))
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    kg_status status = kg_editor_new(e, KG_DOCUMENT_PATCHES, error);
+    kg_status status = kg_editor_new(e, error);
     if (status)
         kg_editor_clear(e);
     return status;

@@ -47,11 +47,15 @@ typedef struct kg_selection {
 typedef enum kg_request {
     KG_REQUEST_NONE,
     KG_REQUEST_NEW,
+    KG_REQUEST_NEW_CARD,
+    KG_REQUEST_NEW_SHEETS,
+    KG_REQUEST_CARD_FROM_MESH,
     KG_REQUEST_OPEN,
     KG_REQUEST_SAVE_AS,
     KG_REQUEST_REFERENCE,
     KG_REQUEST_EXPORT_NET,
     KG_REQUEST_EXPORT_MESH,
+    KG_REQUEST_EXPORT_GUIDE,
     KG_REQUEST_QUIT,
     KG_REQUEST_PALETTE,
     KG_REQUEST_HELP,
@@ -99,7 +103,6 @@ typedef struct kg_editor {
     kg_severity severity;
     uint64_t message_number;
     kg_request request;
-    kg_document_kind new_kind; /* of KG_REQUEST_NEW */
     double clock; /* s */
 } kg_editor;
 
@@ -119,7 +122,7 @@ kg_origami *kg_editor_origami(const kg_editor *editor);
 /* ---- files ------------------------------------------------------------------------------ */
 
 /* Opening replaces everything; on failure nothing changes. */
-kg_status kg_editor_new(kg_editor *editor, kg_document_kind kind, kg_error *error) KG_CHECKED;
+kg_status kg_editor_new(kg_editor *editor, kg_error *error) KG_CHECKED;
 kg_status kg_editor_open(kg_editor *editor, const char *path, kg_error *error) KG_CHECKED;
 /* The same with a document made elsewhere, which it takes over, also on failure; it is solved if it
  * was not. `path` (may be NULL) is where saving writes to. */

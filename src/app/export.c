@@ -1,5 +1,9 @@
 #include "app/export.h"
 
+#include "app/modes/card_state.h"
+#include "app/modes/sheet_state.h"
+#include "katagami/guide.h"
+
 #include <string.h>
 #include <strings.h>
 
@@ -17,6 +21,33 @@ kg_status kg_export_net(kg_document *document, const kg_net_options *options, do
     return status;
 }
 
+kg_status kg_export_guide(kg_document *document, const char *path, const kg_progress *progress,
+                          kg_error *error) {
+    kg_net_options options;
+    kg_document_net net = {0};
+    kg_net_layout *layout = NULL;
+    double tab_width;
+    kg_status status = kg_document_net_options(document, &options, &tab_width, error);
+    if (status)
+        return status;
+    kg_parts_options parts = kg_document_parts_options(document, &options, tab_width);
+    status = kg_document_solve(document, kg_document_net_chord(&options), error);
+    if (!status)
+        status = kg_document_unroll_to_fit(document, &parts, &net, error);
+    if (!status)
+        status = kg_net_layout_create(net.net, &options, progress, &layout, error);
+    if (!status)
+        status = kg_guide_write(document, &net, layout, &options, path, progress, error);
+    kg_net_layout_destroy(layout);
+    kg_document_net_clear(&net);
+    return status;
+}
+
+kg_status kg_export_mesh(kg_document *document, const char *path, kg_error *error) {
+    kg_status status = kg_document_solve(document, KG_MESH_CHORD, error);
+    return status ? status : kg_document_export(document, path, NULL, error);
+}
+
 static kg_status export_net(kg_document *document, const char *path, kg_error *error) {
     kg_net_options options;
     double tab_width;
@@ -24,29 +55,46 @@ static kg_status export_net(kg_document *document, const char *path, kg_error *e
     return status ? status : kg_export_net(document, &options, tab_width, path, NULL, error);
 }
 
-static kg_status export_mesh(kg_document *document, const char *path, kg_error *error) {
-    kg_mesh *mesh;
-    kg_status status = kg_document_solve(document, KG_MESH_CHORD, error);
-    if (!status)
-        status = kg_document_mesh(document, NULL, &mesh, error);
-    if (status)
+bool kg_export_is_net(const char *path) {
+    const char *dot = strrchr(path, '.');
+    return dot && (strcasecmp(dot, ".svg") == 0 || strcasecmp(dot, ".pdf") == 0 ||
+                   strcasecmp(dot, ".dxf") == 0);
+}
+
+static bool ends_in(const char *path, const char *ending) {
+    size_t n = strlen(path), m = strlen(ending);
+    return n >= m && strcasecmp(path + n - m, ending) == 0;
+}
+
+kg_status kg_export_copy(const kg_editor *e, const char *path, kg_document **out_copy,
+                         kg_error *error) {
+    const kg_card_state *card = kg_card_state_of(e);
+    bool moving = ends_in(path, ".gltf") || ends_in(path, ".glb"), pattern = ends_in(path, ".fold");
+    kg_status status = kg_document_copy(e->document, out_copy, error);
+    if (status || moving || pattern)
         return status;
-    status = kg_mesh_write(path, mesh, error);
-    kg_mesh_destroy(mesh);
+    if (card)
+        kg_document_set_open(*out_copy, card->open);
+    if (kg_editor_is(e, KG_DOCUMENT_ORIGAMI)) {
+        const kg_sheets *sheets = kg_sheets_of(e);
+        size_t done = kg_origami_step(kg_editor_origami(e));
+        if (sheets->step < done) { /* what could be done again is not part of the copy */
+            status = kg_document_set_step(*out_copy, sheets->step, error);
+            kg_document_set_fraction(*out_copy, sheets->fraction);
+        }
+    }
+    if (status)
+        kg_document_destroy(*out_copy);
     return status;
 }
 
 kg_status kg_export_file(const kg_editor *e, const char *path, kg_error *error) {
-    static const char *const nets[] = {".svg", ".pdf", ".dxf"};
-    const char *dot = strrchr(path, '.');
-    bool is_net = false;
-    for (size_t i = 0; dot && i < sizeof nets / sizeof *nets; i++)
-        is_net = is_net || strcasecmp(dot, nets[i]) == 0;
     kg_document *document;
-    kg_status status = kg_document_copy(e->document, &document, error);
+    kg_status status = kg_export_copy(e, path, &document, error);
     if (status)
         return status;
-    status = is_net ? export_net(document, path, error) : export_mesh(document, path, error);
+    status = kg_export_is_net(path) ? export_net(document, path, error)
+                                    : kg_export_mesh(document, path, error);
     kg_document_destroy(document);
     return status;
 }

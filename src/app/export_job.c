@@ -6,12 +6,12 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 struct kg_export_job {
     pthread_t thread;
     kg_document *document; /* NULL: the image is written */
     kg_image image;
+    bool guide;
     char *path;
     kg_export_choice choice;
     atomic_bool cancelled, done;
@@ -19,12 +19,6 @@ struct kg_export_job {
     kg_status status;
     kg_error error;
 };
-
-bool kg_export_is_net(const char *path) {
-    const char *dot = strrchr(path, '.');
-    return dot && (strcasecmp(dot, ".svg") == 0 || strcasecmp(dot, ".pdf") == 0 ||
-                   strcasecmp(dot, ".dxf") == 0);
-}
 
 static bool keep_on(void *user, double fraction, const char *what) {
     kg_export_job *j = user;
@@ -49,24 +43,13 @@ static kg_status write_net(kg_export_job *j, kg_error *error) {
     return kg_export_net(j->document, &options, tab_width, j->path, &progress, error);
 }
 
-static kg_status write_mesh(kg_export_job *j, kg_error *error) {
-    kg_mesh *mesh;
-    kg_status status = kg_document_solve(j->document, KG_MESH_CHORD, error);
-    if (!status)
-        status = kg_document_mesh(j->document, NULL, &mesh, error);
-    if (status)
-        return status;
-    status = keep_on(j, 0.5, "") ? kg_mesh_write(j->path, mesh, error)
-                                 : kg_fail(error, KG_ERR_CANCELLED, "cancelled");
-    kg_mesh_destroy(mesh);
-    return status;
-}
-
 static void *run(void *user) {
     kg_export_job *j = user;
-    j->status = !j->document                ? kg_image_write_png(&j->image, j->path, &j->error)
+    const kg_progress progress = {keep_on, j};
+    j->status = !j->document ? kg_image_write_png(&j->image, j->path, &j->error)
+                : j->guide   ? kg_export_guide(j->document, j->path, &progress, &j->error)
                 : kg_export_is_net(j->path) ? write_net(j, &j->error)
-                                            : write_mesh(j, &j->error);
+                                            : kg_export_mesh(j->document, j->path, &j->error);
     atomic_store(&j->done, true);
     return NULL;
 }
@@ -96,13 +79,14 @@ static kg_status start(kg_export_job *j, kg_export_job **out_job, kg_error *erro
     return KG_OK;
 }
 
-kg_status kg_export_job_start(const kg_editor *e, const char *path, kg_export_job **out_job,
-                              kg_error *error) {
+kg_status kg_export_job_start(const kg_editor *e, const char *path, bool guide,
+                              kg_export_job **out_job, kg_error *error) {
     kg_export_job *j = create(path);
     if (!j)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     j->choice = e->settings.export;
-    kg_status status = kg_document_copy(e->document, &j->document, error);
+    j->guide = guide;
+    kg_status status = kg_export_copy(e, path, &j->document, error);
     if (status) {
         destroy(j);
         return status;

@@ -7,13 +7,10 @@
 
 typedef struct kg_export_job kg_export_job;
 
-/* Whether a file name ends as nets do. */
-bool kg_export_is_net(const char *path);
-
 /* Starts to write the model as it is now: what the name's ending says, nets with the model's
- * settings and the user's choices. KG_ERR_MEMORY. */
-kg_status kg_export_job_start(const kg_editor *editor, const char *path, kg_export_job **out_job,
-                              kg_error *error) KG_CHECKED;
+ * settings and the user's choices; or its guide. KG_ERR_MEMORY. */
+kg_status kg_export_job_start(const kg_editor *editor, const char *path, bool guide,
+                              kg_export_job **out_job, kg_error *error) KG_CHECKED;
 /* Starts to write a picture, which it takes over. KG_ERR_MEMORY. */
 kg_status kg_export_job_picture(kg_image *image, const char *path, kg_export_job **out_job,
                                 kg_error *error) KG_CHECKED;

@@ -353,6 +353,13 @@ static kg_status do_preferences(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
+static kg_status do_start(script *s, const char *words, kg_error *error) {
+    (void)words, (void)error;
+    s->app->start = true;
+    send(s, (kg_event){.type = KG_EVENT_NONE});
+    return KG_OK;
+}
+
 static kg_status do_autosave(script *s, const char *words, kg_error *error) {
     if (!next_number(&words, &s->app->editor.settings.autosave_minutes))
         return kg_fail(error, KG_ERR_INPUT, "autosave needs a number of minutes");
@@ -389,7 +396,8 @@ static const struct {
              {"save", do_save},       {"drop", do_drop},         {"wait", do_wait},
              {"command", do_command}, {"fail", do_fail},         {"expect", do_expect},
              {"shot", do_shot},       {"resize", do_resize},     {"monkey", do_monkey},
-             {"recover", do_recover}, {"autosave", do_autosave}, {"preferences", do_preferences}};
+             {"recover", do_recover}, {"autosave", do_autosave}, {"preferences", do_preferences},
+             {"start", do_start}};
 
 static kg_status run_line(script *s, const char *line, kg_error *error) {
     char verb[32];

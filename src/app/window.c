@@ -221,6 +221,8 @@ static kg_status run(window *w, const kg_run_options *o, kg_error *error) {
         kg_app_open(&app, o->model);
     if (o->script)
         status = kg_script_run(&app, o->script, shoot, NULL, error);
+    else
+        app.start = !o->model;
     if (!status)
         status = loop(w, error);
     kg_app_clear(&app);

@@ -20,7 +20,8 @@ kg_status kg_document_new_card(const int size[3], double cell_mm, kg_document **
 
 kg_status kg_document_new_sheet(kg_vec2 size, uint32_t front, uint32_t back,
                                 kg_document **out_document, kg_error *error) {
-    kg_vec2 corners[4] = {{0, 0}, {size.x, 0}, size, {0, size.y}};
+    kg_vec2 half = kg_scale2(size, 0.5),
+            corners[4] = {{-half.x, -half.y}, {half.x, -half.y}, half, {-half.x, half.y}};
     const kg_paper_sheet sheet = {4, corners, front, back, NULL};
     if (!(size.x >= KG_SHEET_LEAST && size.y >= KG_SHEET_LEAST && size.x <= KG_SHEET_MOST &&
           size.y <= KG_SHEET_MOST))

@@ -26,7 +26,7 @@ BELOW = {
     "document": ["model", "unroll", "oa", "origami", "mesh", "net"],
     "render": ["document"],
     "guide": ["document", "render"],
-    "app": ["document", "render"],
+    "app": ["document", "render", "guide"],
     "cli": ["document", "render", "guide", "app"],
     "samples": ["document"],
 }

@@ -7,10 +7,11 @@
 #include <string.h>
 
 static const kg_command_table *const tables[] = {
-    &kg_fold_commands, &kg_step_commands,   &kg_sheet_commands,     &kg_file_commands,
-    &kg_edit_commands, &kg_select_commands, &kg_reference_commands, &kg_patch_commands,
-    &kg_move_commands, &kg_net_commands,    &kg_part_commands,      &kg_trim_commands,
-    &kg_mend_commands, &kg_view_commands,   &kg_card_commands,      &kg_card_view_commands};
+    &kg_fold_commands,     &kg_step_commands, &kg_sheet_commands,  &kg_file_commands,
+    &kg_create_commands,   &kg_edit_commands, &kg_select_commands, &kg_reference_commands,
+    &kg_patch_commands,    &kg_move_commands, &kg_net_commands,    &kg_part_commands,
+    &kg_trim_commands,     &kg_mend_commands, &kg_view_commands,   &kg_card_commands,
+    &kg_card_view_commands};
 enum { TABLE_COUNT = sizeof tables / sizeof *tables };
 
 size_t kg_command_count(void) {

@@ -54,10 +54,10 @@ typedef struct kg_command_table {
     unsigned kinds; /* of documents they are for, KG_FOR_KIND of each; 0: all */
 } kg_command_table;
 #define KG_FOR_KIND(kind) (1u << (kind))
-extern const kg_command_table kg_fold_commands, kg_file_commands, kg_edit_commands,
-    kg_select_commands, kg_reference_commands, kg_patch_commands, kg_move_commands, kg_net_commands,
-    kg_part_commands, kg_trim_commands, kg_mend_commands, kg_view_commands, kg_sheet_commands,
-    kg_step_commands, kg_card_commands, kg_card_view_commands;
+extern const kg_command_table kg_fold_commands, kg_file_commands, kg_create_commands,
+    kg_edit_commands, kg_select_commands, kg_reference_commands, kg_patch_commands,
+    kg_move_commands, kg_net_commands, kg_part_commands, kg_trim_commands, kg_mend_commands,
+    kg_view_commands, kg_sheet_commands, kg_step_commands, kg_card_commands, kg_card_view_commands;
 
 /* What several tables ask for as `enabled`. */
 bool kg_has_selection(const kg_editor *editor);

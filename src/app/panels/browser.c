@@ -16,21 +16,23 @@
 typedef struct kind {
     const char *title, *action;
     bool saves;
-    const char *endings[8]; /* shown; the first is added to a name without one */
+    const char *endings[12]; /* shown; the first is added to a name without one */
 } kind;
+
+#define MESHES ".obj", ".ply", ".stl", ".off", ".gltf", ".glb"
 
 static const kind *kind_of(kg_purpose purpose) {
     static const kind open = {
-        N_("Open model"), N_("Open"), false, {".katagami", ".json", ".fold", ".cp"}};
+        N_("Open model"), N_("Open"), false, {".katagami", ".json", ".fold", ".cp", MESHES}};
     static const kind save = {N_("Save model"), N_("Save"), true, {".katagami"}};
     static const kind net = {N_("Export net"), N_("Export"), true, {".svg", ".pdf", ".dxf"}};
     static const kind mesh = {
         N_("Export mesh"), N_("Export"), true, {".obj", ".ply", ".stl", ".off", ".gltf", ".glb"}};
     static const kind picture = {N_("Export picture"), N_("Export"), true, {".png"}};
-    static const kind reference = {N_("Choose reference"),
-                                   N_("Choose"),
-                                   false,
-                                   {".obj", ".ply", ".stl", ".off", ".gltf", ".glb"}};
+    static const kind reference = {N_("Choose reference"), N_("Choose"), false, {MESHES}};
+    static const kind guide = {N_("Export instructions"), N_("Export"), true, {".pdf"}};
+    static const kind conversion = {
+        N_("Choose a mesh for the card"), N_("Choose"), false, {MESHES}};
     switch (purpose) {
     case KG_FOR_SAVE:
         return &save;
@@ -42,6 +44,10 @@ static const kind *kind_of(kg_purpose purpose) {
         return &picture;
     case KG_FOR_REFERENCE:
         return &reference;
+    case KG_FOR_GUIDE:
+        return &guide;
+    case KG_FOR_CARD_OF_MESH:
+        return &conversion;
     default:
         return &open;
     }
@@ -55,6 +61,10 @@ static bool has_ending(const kind *k, const char *name) {
             return true;
     }
     return false;
+}
+
+bool kg_dialogs_is_mesh(const char *path) {
+    return has_ending(kind_of(KG_FOR_REFERENCE), path);
 }
 
 /* ---- the folder -------------------------------------------------------------------------- */

@@ -7,30 +7,52 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
+
+enum {
+    PATCHES = KG_FOR_KIND(KG_DOCUMENT_PATCHES),
+    CARDS = KG_FOR_KIND(KG_DOCUMENT_OA),
+    SHEETS = KG_FOR_KIND(KG_DOCUMENT_ORIGAMI),
+    ALL = PATCHES | CARDS | SHEETS
+};
 
 typedef struct format {
-    const char *ending, *what;
-    bool is_net, is_picture;
+    const char *name, *ending, *what;
+    kg_purpose purpose;
+    unsigned kinds; /* of documents */
 } format;
 
 static const format formats[] = {
-    {"svg", N_("for browsers, Inkscape and most cutters; one file a page"), true, false},
-    {"pdf", N_("for printing; all pages in one file"), true, false},
-    {"dxf", N_("for laser cutters and CAD; one file a page"), true, false},
-    {"obj", N_("mesh, one group a patch"), false, false},
-    {"ply", N_("mesh, coloured"), false, false},
-    {"stl", N_("mesh of triangles"), false, false},
-    {"off", N_("mesh, plain text"), false, false},
-    {"gltf", N_("mesh for the web, with its data beside it"), false, false},
-    {"glb", N_("mesh for the web, in one file"), false, false},
-    {"png", N_("picture of the 3D view"), false, true},
+    {"svg", "svg", N_("for browsers, Inkscape and most cutters; one file a page"), KG_FOR_NET, ALL},
+    {"pdf", "pdf", N_("for printing; all pages in one file"), KG_FOR_NET, ALL},
+    {"dxf", "dxf", N_("for laser cutters and CAD; one file a page"), KG_FOR_NET, ALL},
+    {"guide", "pdf", N_("instructions: how it is built, step by step"), KG_FOR_GUIDE,
+     PATCHES | CARDS},
+    {"guide", "pdf", N_("instructions: every fold in the usual notation"), KG_FOR_GUIDE, SHEETS},
+    {"fold", "fold", N_("crease pattern for other folding programs"), KG_FOR_MESH, CARDS},
+    {"fold", "fold", N_("all steps for other folding programs"), KG_FOR_MESH, SHEETS},
+    {"cp", "cp", N_("crease pattern, plain lines"), KG_FOR_MESH, SHEETS},
+    {"obj", "obj", N_("mesh, one group a patch"), KG_FOR_MESH, PATCHES},
+    {"obj", "obj", N_("mesh, folded as it is shown"), KG_FOR_MESH, CARDS | SHEETS},
+    {"ply", "ply", N_("mesh, coloured"), KG_FOR_MESH, PATCHES},
+    {"stl", "stl", N_("mesh of triangles"), KG_FOR_MESH, PATCHES},
+    {"off", "off", N_("mesh, plain text"), KG_FOR_MESH, PATCHES},
+    {"gltf", "gltf", N_("mesh for the web, with its data beside it"), KG_FOR_MESH, PATCHES},
+    {"gltf", "gltf", N_("the folding as an animation, with its data beside it"), KG_FOR_MESH,
+     CARDS | SHEETS},
+    {"glb", "glb", N_("mesh for the web, in one file"), KG_FOR_MESH, PATCHES},
+    {"glb", "glb", N_("the folding as an animation, in one file"), KG_FOR_MESH, CARDS | SHEETS},
+    {"png", "png", N_("picture of the 3D view"), KG_FOR_PICTURE, ALL},
 };
 enum { FORMAT_COUNT = sizeof formats / sizeof *formats };
 
-static const format *find_format(const char *ending) {
+static bool is_for(const format *f, const kg_editor *e) {
+    return f->kinds & KG_FOR_KIND(kg_document_get_kind(e->document));
+}
+
+/* NULL: not for such documents. */
+static const format *find_format(const kg_editor *e, const char *name) {
     for (int i = 0; i < FORMAT_COUNT; i++)
-        if (strcasecmp(formats[i].ending, ending) == 0)
+        if (is_for(&formats[i], e) && strcmp(formats[i].name, name) == 0)
             return &formats[i];
     return NULL;
 }
@@ -74,11 +96,12 @@ static void picture_options(kg_export_choice *c) {
 /* Opens the browser with a name of the chosen format. */
 static void choose_file(kg_app *app, const format *f) {
     kg_dialogs *d = &app->dialogs;
-    kg_dialogs_browse(app, f->is_net ? KG_FOR_NET : f->is_picture ? KG_FOR_PICTURE : KG_FOR_MESH);
+    kg_dialogs_browse(app, f->purpose);
     char *dot = strrchr(d->file, '.');
     size_t at = dot ? (size_t)(dot - d->file) : strlen(d->file);
-    if (at + 1 + strlen(f->ending) < sizeof d->file)
-        snprintf(d->file + at, sizeof d->file - at, ".%s", f->ending);
+    const char *more = f->purpose == KG_FOR_GUIDE ? "-guide" : ""; /* beside the net's PDF */
+    if (at + 1 + strlen(more) + strlen(f->ending) < sizeof d->file)
+        snprintf(d->file + at, sizeof d->file - at, "%s.%s", more, f->ending);
 }
 
 static void show_choice(kg_app *app) {
@@ -90,24 +113,26 @@ static void show_choice(kg_app *app) {
     app->dialogs.open_export = false;
     if (!kg_ui_modal_begin(_("Export"), 560))
         return;
-    const format *chosen = find_format(c->format);
+    const format *chosen = find_format(e, c->format);
     if (!chosen)
         chosen = &formats[0];
     if (kg_ui_table_begin("formats", 2, widths)) {
         for (int i = 0; i < FORMAT_COUNT; i++) {
+            if (!is_for(&formats[i], e))
+                continue;
             kg_ui_table_row();
             kg_ui_table_next();
-            if (kg_ui_radio(formats[i].ending, chosen == &formats[i]))
-                snprintf(c->format, sizeof c->format, "%s", formats[i].ending);
+            if (kg_ui_radio(formats[i].name, chosen == &formats[i]))
+                snprintf(c->format, sizeof c->format, "%s", formats[i].name);
             kg_ui_table_next();
             kg_ui_text_dim(_(formats[i].what));
         }
         kg_ui_table_end();
     }
     kg_ui_separator();
-    if (chosen->is_net)
+    if (chosen->purpose == KG_FOR_NET)
         net_options(e);
-    else if (chosen->is_picture)
+    else if (chosen->purpose == KG_FOR_PICTURE)
         picture_options(c);
     kg_ui_space();
     bool go_on = kg_ui_primary_button(_("Choose file…"));
@@ -120,11 +145,16 @@ static void show_choice(kg_app *app) {
         choose_file(app, chosen);
 }
 
-void kg_export_ask(kg_app *app, bool mesh) {
+void kg_export_ask(kg_app *app, kg_purpose purpose) {
     kg_export_choice *c = &app->editor.settings.export;
-    const format *f = find_format(c->format);
-    if (!f || (mesh && f->is_net) || (!mesh && !f->is_net))
-        snprintf(c->format, sizeof c->format, "%s", mesh ? "obj" : "svg");
+    const format *f = find_format(&app->editor, c->format);
+    bool fits =
+        f && (f->purpose == purpose || (purpose == KG_FOR_MESH && f->purpose == KG_FOR_PICTURE));
+    if (!fits)
+        snprintf(c->format, sizeof c->format, "%s",
+                 purpose == KG_FOR_NET    ? "svg"
+                 : purpose == KG_FOR_MESH ? "obj"
+                                          : "guide");
     app->dialogs.open_export = true;
 }
 
@@ -152,14 +182,14 @@ static void told(kg_app *app, kg_status status, const char *path, const kg_error
         return; /* the choices are forgotten, the file is there */
 }
 
-void kg_export_to(kg_app *app, const char *path) {
+void kg_export_to(kg_app *app, kg_purpose purpose, const char *path) {
     kg_error error;
-    const char *dot = strrchr(path, '.');
-    bool is_picture = dot && strcasecmp(dot, ".png") == 0;
+    bool guide = purpose == KG_FOR_GUIDE;
     if (app->export_job)
         return;
-    if (is_picture ? start_picture(app, path, &error)
-                   : kg_export_job_start(&app->editor, path, &app->export_job, &error))
+    if (purpose == KG_FOR_PICTURE
+            ? start_picture(app, path, &error)
+            : kg_export_job_start(&app->editor, path, guide, &app->export_job, &error))
         kg_dialogs_fail(app, &error);
     else
         app->dialogs.open_progress = true;

@@ -18,9 +18,12 @@ void kg_panels_show(kg_app *app) {
     kg_panel_toolbar(app, (kg_area){0, menu, tools, middle});
     app->editor.mode->side(app, (kg_area){width - side, menu, side, middle});
     kg_panel_status(app, (kg_area){0, height - bottom, width, bottom});
+    kg_panel_start(app);
     kg_panel_context_menu(app);
     kg_panel_browser(app);
     kg_panel_export(app); /* after the browser, which would take the same Enter */
+    kg_panel_create(app);
+    kg_panel_convert(app);
     kg_panel_palette(app);
     kg_panel_help(app);
     kg_panel_settings(app);

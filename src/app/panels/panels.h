@@ -26,6 +26,7 @@ void kg_panel_fold_label(kg_app *app);
 
 void kg_panel_handles(kg_app *app); /* what the mode draws over the 3D view */
 void kg_panel_context_menu(kg_app *app);
+void kg_panel_start(kg_app *app); /* over the empty view */
 
 void kg_panel_sheets(kg_app *app); /* in the window that is open */
 void kg_panel_steps(kg_app *app);
@@ -38,12 +39,15 @@ void kg_panel_settings(kg_app *app);
 void kg_panel_browser(kg_app *app);
 void kg_panel_prompts(kg_app *app);
 void kg_panel_export(kg_app *app);
+void kg_panel_create(kg_app *app);
+void kg_panel_convert(kg_app *app);
 void kg_panel_loading(kg_app *app);
 
-/* Asks what to export as, starting from the last choice among nets or meshes. */
-void kg_export_ask(kg_app *app, bool mesh);
-/* Writes what the name's ending says, in the background. */
-void kg_export_to(kg_app *app, const char *path);
+/* Asks what to export as, starting from the last choice where it is for such a purpose: KG_FOR_NET,
+ * KG_FOR_MESH, KG_FOR_GUIDE. */
+void kg_export_ask(kg_app *app, kg_purpose purpose);
+/* Writes what the purpose and the name's ending say, in the background. */
+void kg_export_to(kg_app *app, kg_purpose purpose, const char *path);
 /* Gives up what is being written. */
 void kg_export_stop(kg_app *app);
 
@@ -54,10 +58,16 @@ void kg_loading_reference(kg_app *app, const char *path);
 /* Gives up what is being read. */
 void kg_loading_stop(kg_app *app);
 
+/* Asks how a card is to be made of a mesh; gives that up. */
+void kg_conversion_ask(kg_app *app, const char *path);
+void kg_conversion_stop(kg_app *app);
+
 /* Asks what to do about unsaved changes, if there are any, then goes on with `purpose`. */
 void kg_dialogs_go_on(kg_app *app, kg_purpose purpose);
 /* Opens the browser. */
 void kg_dialogs_browse(kg_app *app, kg_purpose purpose);
+/* Whether a file is a mesh, by its name. */
+bool kg_dialogs_is_mesh(const char *path);
 /* Does what a file was chosen for. */
 void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path);
 /* Puts the document's file first in the list of recent ones. */

@@ -38,9 +38,21 @@ static void go_on(kg_app *app, kg_purpose purpose) {
     kg_error error;
     switch (purpose) {
     case KG_FOR_NEW:
-        if (kg_editor_new(&app->editor, app->editor.new_kind, &error))
+        if (kg_editor_new(&app->editor, &error))
             kg_dialogs_fail(app, &error);
         app->framed = false;
+        break;
+    case KG_FOR_NEW_CARD:
+        app->dialogs.open_new_card = true;
+        break;
+    case KG_FOR_NEW_SHEETS:
+        app->dialogs.open_new_sheets = true;
+        break;
+    case KG_FOR_CONVERSION:
+        kg_dialogs_browse(app, KG_FOR_CARD_OF_MESH);
+        break;
+    case KG_FOR_CARD_OF_PATH:
+        kg_conversion_ask(app, app->dialogs.path);
         break;
     case KG_FOR_OPEN:
         kg_dialogs_browse(app, KG_FOR_OPEN);
@@ -72,7 +84,16 @@ void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
     switch (purpose) {
     case KG_FOR_OPEN:
         snprintf(app->dialogs.path, sizeof app->dialogs.path, "%s", path);
-        go_on(app, KG_FOR_OPEN_PATH);
+        app->dialogs.open_mesh = kg_dialogs_is_mesh(path);
+        if (!app->dialogs.open_mesh)
+            go_on(app, KG_FOR_OPEN_PATH);
+        return;
+    case KG_FOR_CARD_OF_MESH:
+        kg_conversion_ask(app, path);
+        return;
+    case KG_FOR_NEW_REFERENCE:
+        go_on(app, KG_FOR_NEW);
+        kg_loading_reference(app, path);
         return;
     case KG_FOR_SAVE:
         status = kg_editor_save(&app->editor, path, &error);
@@ -90,7 +111,7 @@ void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
         kg_loading_reference(app, path);
         return;
     default:
-        kg_export_to(app, path);
+        kg_export_to(app, purpose, path);
         break;
     }
     if (status)
@@ -139,6 +160,32 @@ static void show_unsaved(kg_app *app) {
         go_on(app, d->after_unsaved);
     if (discard || cancel)
         d->after_unsaved = KG_FOR_NOTHING;
+}
+
+/* A mesh was opened as if it were a model. */
+static void show_mesh(kg_app *app) {
+    char path[KG_PATH_SIZE];
+    if (app->dialogs.open_mesh)
+        kg_ui_popup_open(_("Open a mesh"));
+    app->dialogs.open_mesh = false;
+    if (!kg_ui_modal_begin(_("Open a mesh"), 460))
+        return;
+    kg_ui_text_wrapped(_("A mesh is no model. It can be what a new patch model is sculpted over, "
+                         "or become a pop-up card."));
+    kg_ui_space();
+    bool patches = kg_ui_primary_button(_("Sculpt over it"));
+    kg_ui_same_line();
+    bool card = kg_ui_button(_("Make a card…"));
+    kg_ui_same_line();
+    bool cancel = kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE);
+    if (patches || card || cancel)
+        kg_ui_popup_close();
+    kg_ui_popup_end();
+    memcpy(path, app->dialogs.path, sizeof path);
+    if (card)
+        kg_dialogs_use_file(app, KG_FOR_CARD_OF_MESH, path);
+    else if (patches)
+        kg_dialogs_use_file(app, KG_FOR_NEW_REFERENCE, path);
 }
 
 static void show_overwrite(kg_app *app) {
@@ -222,6 +269,7 @@ static void show_recovery(kg_app *app) {
 
 void kg_panel_prompts(kg_app *app) {
     show_unsaved(app);
+    show_mesh(app);
     show_overwrite(app);
     show_rename(app);
     show_recovery(app);
