@@ -12,8 +12,9 @@
 #define SPREAD_LAYER 0.08
 /* How far below flat sheets the ground lies, over their size; nearer, its grid shines through. */
 #define GROUND 0.02
-/* s, of one fold played. */
+/* s, of one fold played, and of one just made, which nobody wants to wait for. */
 #define FOLD_SECONDS 1.0
+#define MADE_SECONDS 0.4
 
 kg_sheets *kg_sheets_of(const kg_editor *e) {
     assert(kg_editor_is(e, KG_DOCUMENT_ORIGAMI));
@@ -221,13 +222,23 @@ void kg_sheets_show(kg_editor *e, double folds) {
     show(kg_sheets_of(e), folds);
 }
 
-void kg_sheets_play(kg_editor *e, double from, double to) {
-    kg_sheets *s = kg_sheets_of(e);
+static void play(kg_sheets *s, double from, double to, double pace) {
     show(s, from);
+    s->pace = pace;
     s->target = fmin(to, (double)kg_origami_fold_count(s->origami));
     s->playing = kg_sheets_shown(s) < s->target;
     /* goes on where the eased fold stands */
-    s->played = FOLD_SECONDS * acos(1 - 2 * s->fraction) / acos(-1);
+    s->played = pace * acos(1 - 2 * s->fraction) / acos(-1);
+}
+
+void kg_sheets_play(kg_editor *e, double from, double to) {
+    play(kg_sheets_of(e), from, to, FOLD_SECONDS);
+}
+
+void kg_sheets_play_made(kg_editor *e) {
+    double n = (double)kg_origami_step(kg_sheets_of(e)->origami);
+    if (n > 0)
+        play(kg_sheets_of(e), n - 1, n, MADE_SECONDS);
 }
 
 void kg_sheets_stop(kg_editor *e) {
@@ -246,11 +257,11 @@ bool kg_sheets_tick(kg_editor *e, double seconds) {
         return false;
     s->played += seconds;
     size_t step = s->step;
-    if (s->played >= FOLD_SECONDS) {
+    if (s->played >= s->pace) {
         s->played = 0;
         step++;
     }
-    double folds = (double)step + (1 - cos(acos(-1) * s->played / FOLD_SECONDS)) / 2;
+    double folds = (double)step + (1 - cos(acos(-1) * s->played / s->pace)) / 2;
     s->playing = folds < s->target;
     show(s, fmin(folds, s->target));
     return true;

@@ -49,6 +49,7 @@ typedef struct kg_sheets {
     double fraction; /* of its angle, in [0, 1) */
     bool playing;
     double played; /* s, of the fold under way */
+    double pace;   /* s, of a whole fold */
     double target; /* where playing ends, folds */
 
     /* How; change them with kg_sheets_relayer. */
@@ -91,10 +92,11 @@ kg_sheets *kg_sheets_of(const kg_editor *editor);
 void kg_sheets_show(kg_editor *editor, double folds);
 /* What is shown, as kg_sheets_show takes it. */
 double kg_sheets_shown(const kg_sheets *sheets);
-/* Plays from `from` to `to`, both in folds, about a second each; the app is busy until then. A tool
- * that has just made a fold shows it so: kg_sheets_play(e, n - 1, n) after kg_editor_update, with
- * n = kg_origami_step. */
+/* Plays from `from` to `to`, both in folds, about a second each; the app is busy until then. */
 void kg_sheets_play(kg_editor *editor, double from, double to);
+/* Plays the last fold done, faster: how a tool shows what it has just made, after
+ * kg_editor_update. */
+void kg_sheets_play_made(kg_editor *editor);
 /* Shows at once what playing would end with. */
 void kg_sheets_skip(kg_editor *editor);
 void kg_sheets_stop(kg_editor *editor);

@@ -273,8 +273,7 @@ kg_status kg_fold_done(kg_editor *e, kg_error *error) {
     kg_fold_drop(e);
     kg_status status = kg_fold_add(e, &fold, error);
     kg_editor_update(e);
-    size_t step = kg_origami_step(kg_editor_origami(e));
     if (!status)
-        kg_sheets_play(e, (double)step - 1, (double)step);
+        kg_sheets_play_made(e);
     return status;
 }
