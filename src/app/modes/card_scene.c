@@ -12,6 +12,10 @@
  * through each other. No corner moves by more than a three-hundredth of the card. */
 static const double ajar = 0.003;
 
+/* Below this opening, rad, only rims are drawn: lines are drawn a little before their paper and
+ * would show through the sheet that lies on them. */
+static const double nearly_shut = 0.02;
+
 /* A cell of so many layout units has room for its hatching. */
 enum { ROOMY_CELL = 12 };
 
@@ -195,7 +199,10 @@ kg_status kg_card_scene_compose(void **cache, const kg_editor *e, kg_overlay *o,
         return status;
     for (int i = 0; i < KG_AREA_COUNT; i++)
         kg_overlay_item(o, s->surfaces[i], surface_style((kg_card_area)i));
+    bool shut = state->open < nearly_shut;
     for (int i = 0; i < KG_CARD_LINE_COUNT; i++) {
+        if (shut && i != KG_CARD_EDGE)
+            continue;
         kg_style style = kg_card_line_style(i, dark);
         thin(e, i, &style);
         kg_overlay_item(o, s->lines[i], style);

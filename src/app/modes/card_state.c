@@ -9,8 +9,8 @@
 /* A whole motion, s. */
 static const double cycle = 4;
 
-/* Hinges up to which the degrees of freedom are counted while the user waits: some 5 ms. */
-enum { COUNTED_HINGES = 150 };
+/* Hinges up to which the degrees of freedom are counted while the user waits: some 10 ms. */
+enum { COUNTED_HINGES = 300 };
 
 kg_card_state *kg_card_state_of(const kg_editor *e) {
     return kg_editor_is(e, KG_DOCUMENT_OA) ? e->mode_state : NULL;

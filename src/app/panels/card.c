@@ -7,6 +7,7 @@
 #include "app/ui/icons.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define DEGREE (3.14159265358979323846 / 180)
@@ -210,21 +211,28 @@ static void show_size(kg_editor *e) {
     }
 }
 
-static void show_sheet(kg_editor *e) {
-    const kg_oa *oa = kg_editor_oa(e);
-    char title[256], text[160];
-    if (!kg_ui_section(_("Sheet"), true))
-        return;
-    snprintf(title, sizeof title, "%s", oa->title);
+static void show_title(kg_editor *e) {
+    char title[256], *copy = NULL;
+    snprintf(title, sizeof title, "%s", kg_editor_oa(e)->title);
     kg_ui_width(FIELD + 60);
     unsigned result = kg_ui_text_field(_("title"), title, sizeof title, NULL, false);
-    if (follow(e, result, N_("Title")))
-        run(e, "card.set", json_pack("{s:s}", "title", title));
+    if (follow(e, result, N_("Title")) && (copy = strdup(title))) {
+        free(kg_editor_oa(e)->title);
+        kg_editor_oa(e)->title = copy;
+        kg_editor_touch(e);
+    }
     end_field(e, result);
+}
+
+static void show_sheet(kg_editor *e) {
+    if (!kg_ui_section(_("Sheet"), true))
+        return;
+    show_title(e);
     show_size(e);
+    const kg_oa *oa = kg_editor_oa(e);
     double cell = oa->cell_mm, margin = oa->margin_cells;
     kg_ui_width(FIELD);
-    result = kg_ui_number(_("cell"), &cell, 0.02, 0.1, KG_OA_MAX_CELL, "%.2f mm");
+    unsigned result = kg_ui_number(_("cell"), &cell, 0.02, 0.1, KG_OA_MAX_CELL, "%.2f mm");
     if (follow(e, result, N_("Size of cells"))) {
         kg_editor_oa(e)->cell_mm = cell;
         kg_editor_touch(e);
@@ -237,13 +245,14 @@ static void show_sheet(kg_editor *e) {
         kg_editor_touch(e);
     }
     end_field(e, result);
-    bool diagonals = oa->diagonals;
-    if (kg_ui_check(_("45° folds"), &diagonals))
-        run(e, "card.diagonals", json_pack("{s:b}", "on", diagonals));
+    char text[160];
     snprintf(text, sizeof text, _("paper %.4g × %.4g mm"),
              (oa->width + 2 * oa->margin_cells) * oa->cell_mm,
              (oa->height + oa->depth_limit + 2 * oa->margin_cells) * oa->cell_mm);
     kg_ui_text_dim(text);
+    bool diagonals = oa->diagonals;
+    if (kg_ui_check(_("45° folds"), &diagonals))
+        run(e, "card.diagonals", json_pack("{s:b}", "on", diagonals));
 }
 
 /* ---- counts ----------------------------------------------------------------------------- */

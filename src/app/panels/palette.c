@@ -114,6 +114,14 @@ static const struct {
     {N_("Layers at a corner"), N_("Click it, or numbers"), NULL, KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)},
     {N_("While folding: layers, gaps, angle"), N_("Wheel; Shift + wheel; numbers"), NULL,
      KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)},
+    {N_("Add voxels"), N_("Click or drag"), NULL, KG_FOR_KIND(KG_DOCUMENT_OA)},
+    {N_("Remove voxels"), N_("Shift + click or drag"), NULL, KG_FOR_KIND(KG_DOCUMENT_OA)},
+    {N_("Fill or empty a box"), N_("Ctrl + drag, Ctrl + Shift + drag"), NULL,
+     KG_FOR_KIND(KG_DOCUMENT_OA)},
+    {N_("Select a box"), N_("Alt + drag, Shift + arrows"), NULL, KG_FOR_KIND(KG_DOCUMENT_OA)},
+    {N_("Move the cursor"), N_("Arrows, Page Up and Page Down for the third direction"), NULL,
+     KG_FOR_KIND(KG_DOCUMENT_OA)},
+    {N_("Windows and tops"), N_("Click or drag in the net"), NULL, KG_FOR_KIND(KG_DOCUMENT_OA)},
 };
 
 static void help_row(const char *what, const char *keys) {

@@ -13,6 +13,20 @@ static const struct shades {
     [KG_UI_LIGHT] = {{0.7F, 0.1F, 0.05F, 1}, {0.5F, 0.31F, 0, 1}, {0.05F, 0.32F, 0.63F, 1}},
 };
 
+/* As much of a text as there is room for. */
+static const char *cut(const char *text, double room, char *out, size_t size) {
+    size_t n = (size_t)snprintf(out, size, "%s", text);
+    n = n < size ? n : size - 1;
+    if (kg_ui_text_width(out) <= room)
+        return out;
+    while (n > 0 && kg_ui_text_width(out) > room) {
+        while (n > 0 && ((unsigned char)out[--n] & 0xC0) == 0x80) /* within a character */
+            ;
+        snprintf(out + n, size - n, "…");
+    }
+    return out;
+}
+
 void kg_panel_status(kg_app *app, kg_area area) {
     const kg_editor *e = &app->editor;
     const struct shades *shade = &shades[e->settings.theme];
@@ -23,17 +37,19 @@ void kg_panel_status(kg_app *app, kg_area area) {
     kg_ui_panel_begin("status", NULL, area, KG_PANEL_PLAIN | KG_PANEL_NO_SCROLL);
     const char *now = e->tool->hint_now ? e->tool->hint_now(e) : NULL;
     kg_ui_indent();
-    if (e->message[0])
-        kg_ui_text_color(e->severity == KG_FAULT ? shade->fault : shade->note, e->message);
-    else
-        kg_ui_text_dim(now ? now : _(e->tool->hint));
-    char text[128];
+    char text[128], shown[KG_ERROR_SIZE];
     if (faults > 0)
         snprintf(text, sizeof text, _("Faults: %zu, warnings: %zu"), faults, count - faults);
     else if (count > 0)
         snprintf(text, sizeof text, _("Warnings: %zu"), count);
     else
         snprintf(text, sizeof text, "%s", _("No faults"));
+    double room = kg_ui_available() - kg_ui_text_width(text) - 24;
+    if (e->message[0])
+        kg_ui_text_color(e->severity == KG_FAULT ? shade->fault : shade->note,
+                         cut(e->message, room, shown, sizeof shown));
+    else
+        kg_ui_text_dim(cut(now ? now : _(e->tool->hint), room, shown, sizeof shown));
     kg_ui_right(kg_ui_text_width(text) + 10);
     if (count > 0)
         kg_ui_text_color(faults > 0 ? shade->fault : shade->warning, text);
