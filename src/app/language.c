@@ -58,5 +58,6 @@ void kg_language_use(const char *code) {
                  beside_program("/src/app/po", folder, sizeof folder); /* where it is built */
     bindtextdomain(DOMAIN, found ? folder : KG_LOCALE_FOLDER);
     bind_textdomain_codeset(DOMAIN, "UTF-8");
+    bind_textdomain_codeset("libc", "UTF-8"); /* strerror's, by LC_CTYPE else, which stays "C" */
     textdomain(DOMAIN);
 }

@@ -1,4 +1,5 @@
 /* katagami net: from a model to pages that can be cut. */
+#include "app/language.h"
 #include "base/file.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -30,6 +31,7 @@ static const kg_option options[] = {
     {"mirrored", 0, false, NULL, "for printing on the back of the paper"},
     {"tolerance", 0, true, "MM", "greatest distance of a line from the true one (0.01)"},
     {"guide", 0, true, "GUIDE.pdf", "also write how it is glued or folded, step by step"},
+    {"language", 0, true, "ja|en", "language of the guide (that of the environment, else English)"},
     {"json", 0, true, "FILE", "also write a report"},
 };
 enum { OPTION_COUNT = sizeof options / sizeof *options };
@@ -106,7 +108,7 @@ static kg_parts_options parts_options(const kg_arguments *a, kg_document *docume
 
 /* The files to be written; those beside the net may be NULL. */
 typedef struct outputs {
-    const char *net, *guide, *report;
+    const char *net, *guide, *language, *report;
 } outputs;
 
 /* Writes text to a new temporary file beside `path`; "-" is left for later. */
@@ -176,8 +178,11 @@ static kg_status write_files(const kg_document *document, kg_document_net *net,
         status = write_beside(out->report, json, &report, error);
     if (!status && out->guide)
         status = kg_file_temporary(out->guide, &guide, error);
-    if (!status && out->guide)
+    if (!status && out->guide) {
+        kg_language_use(out->language);
         status = kg_guide_write(document, net, layout, settings, guide, NULL, error);
+        kg_language_use("en"); /* all else that the command line says */
+    }
     if (!status)
         status = kg_net_draw(net->net, layout, settings, out->net, error);
     if (!status && guide)
@@ -224,12 +229,15 @@ int kg_command_net(int argc, char **argv) {
                                   options, OPTION_COUNT, &a);
     if (code >= 0)
         return code;
+    const char *language = kg_arguments_get(&a, "language");
     const outputs out = {kg_arguments_get(&a, "output"), kg_arguments_get(&a, "guide"),
-                         kg_arguments_get(&a, "json")};
+                         language ? language : "", kg_arguments_get(&a, "json")};
     if (a.count != 1 || !out.net)
         return kg_command_misuse("net", "a model and an output (-o) are wanted");
     if (out.guide && strcmp(out.guide, "-") == 0)
         return kg_command_misuse("net", "--guide is the name of a file");
+    if (language && strcmp(language, "ja") && strcmp(language, "en"))
+        return kg_command_misuse("net", "--language is ja or en, not %s", language);
     if (out.report && strcmp(out.report, "-") == 0 && strcmp(out.net, "-") == 0)
         return kg_command_misuse("net", "only one of the net and the report fits into -");
     kg_error error;
