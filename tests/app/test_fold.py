@@ -98,8 +98,8 @@ def test_edits_from_a_file_fold_every_sample():
 
 def test_folds_are_changed_and_taken_out():
     boat = sample("boat.katagami")
-    changes = [{"command": "fold.angle", "angle_deg": 45},
-               {"command": "fold.angle", "step": 4, "angle_deg": 60}]
+    changes = [{"command": "fold.set", "angle_deg": 45},
+               {"command": "fold.set", "step": 4, "angle_deg": 60}]
     made, said = apply(boat, changes)
     assert made is not None, said
     assert made["origami"]["folds"][3]["angle_deg"] == 60, made

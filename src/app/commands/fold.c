@@ -80,47 +80,6 @@ static kg_status make(kg_editor *e, const json_t *a, kg_error *error) {
     return status ? status : kg_fold_add(e, &fold, error);
 }
 
-/* ---- folds that are there ------------------------------------------------------------------ */
-
-/* "step": of the fold, from 1; without it the last one done. Gives its index. */
-static kg_status read_step(const kg_editor *e, const json_t *a, size_t *out_index,
-                           kg_error *error) {
-    size_t done = kg_origami_step(kg_editor_origami(e)), step = done;
-    kg_status status = kg_argument_index(a, "step", &step, error);
-    if (!status && (step < 1 || step > done))
-        status = kg_fail(error, KG_ERR_INPUT, "there is no fold %zu: %zu are done", step, done);
-    *out_index = step - 1;
-    return status;
-}
-
-static kg_status change_angle(kg_editor *e, const json_t *a, kg_error *error) {
-    size_t index;
-    kg_status status = read_step(e, a, &index, error);
-    if (status)
-        return status;
-    kg_fold fold = *kg_origami_fold_at(kg_editor_origami(e), index);
-    status = kg_argument_number(a, "angle_deg", &fold.angle_deg, error);
-    if (!status)
-        status = kg_editor_begin(e, N_("Change angle"), error);
-    return status ? status : kg_editor_finish(e, kg_sheets_refold(e, index, &fold, error));
-}
-
-static kg_status unfold(kg_editor *e, const json_t *a, kg_error *error) {
-    size_t index;
-    kg_status status = read_step(e, a, &index, error);
-    if (!status)
-        status = kg_editor_begin(e, N_("Unfold"), error);
-    if (status)
-        return status;
-    status = kg_origami_unfold(kg_editor_origami(e), index, error);
-    kg_editor_touch(e);
-    return kg_editor_finish(e, status);
-}
-
-static bool is_folded(const kg_editor *e) {
-    return kg_origami_step(kg_editor_origami(e)) > 0;
-}
-
 /* ---- the fold being made ------------------------------------------------------------------- */
 
 static kg_status use(kg_editor *e, kg_fold_way way) {
@@ -224,10 +183,6 @@ static const kg_app_command items[] = {
      next_gap, is_given, 0},
     {"fold.make", N_("Fold"), N_("Makes the fold that is shown."), NULL, NULL, make, is_given,
      KG_COMMAND_EDIT},
-    {"fold.angle", N_("Change angle"), N_("Gives a fold another angle."), NULL, NULL, change_angle,
-     NULL, KG_COMMAND_ARGUMENTS},
-    {"fold.unfold", N_("Unfold"), N_("Takes the last fold out, or one named."), NULL, NULL, unfold,
-     is_folded, KG_COMMAND_EDIT},
 };
 const kg_command_table kg_fold_commands = {items, sizeof items / sizeof *items,
                                            KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)};

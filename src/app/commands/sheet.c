@@ -26,7 +26,7 @@ static kg_status read_sheet(const kg_editor *e, const json_t *a, size_t *out, kg
     if (!status && number == 0 && !json_object_get(a, "sheet"))
         status = kg_fail(error, KG_ERR_INPUT, "%s", _("select a sheet first"));
     if (!status && (number < 1 || (size_t)number > kg_sheets_count(kg_sheets_of(e))))
-        status = kg_fail(error, KG_ERR_INPUT, _("there is no sheet %zu"), (size_t)llabs(number));
+        status = kg_fail(error, KG_ERR_INPUT, N_("there is no sheet %zu"), (size_t)llabs(number));
     if (!status)
         *out = (size_t)number - 1;
     return status;
@@ -39,7 +39,7 @@ static kg_status read_color(const json_t *a, const char *name, uint32_t *color, 
     if (status || !text)
         return status;
     if (strlen(text) != 7 || !kg_color_parse(text, &parsed))
-        return kg_fail(error, KG_ERR_INPUT, _("\"%s\" has to be a colour \"#rrggbb\""), name);
+        return kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be a colour \"#rrggbb\""), name);
     *color = (uint32_t)strtoul(text + 1, NULL, 16);
     return KG_OK;
 }
@@ -51,7 +51,7 @@ static kg_status read_vec2(const json_t *a, const char *name, kg_vec2 *value, kg
         return KG_OK;
     if (json_array_size(x) != 2 || !json_is_number(json_array_get(x, 0)) ||
         !json_is_number(json_array_get(x, 1)))
-        return kg_fail(error, KG_ERR_INPUT, _("\"%s\" has to be [x, y]"), name);
+        return kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be [x, y]"), name);
     *value =
         kg_v2(json_number_value(json_array_get(x, 0)), json_number_value(json_array_get(x, 1)));
     return KG_OK;
@@ -78,7 +78,7 @@ static kg_status read_size(const json_t *a, kg_sheet_size *size, kg_error *error
             return KG_OK;
         }
     return kg_fail(error, KG_ERR_INPUT,
-                   _("\"%s\" is none of square, rectangle, a4, triangle and polygon"), shape);
+                   N_("\"%s\" is none of square, rectangle, a4, triangle and polygon"), shape);
 }
 
 /* Corners of a sheet as its arguments want it; malloc's. */

@@ -17,7 +17,7 @@ static kg_status go(kg_editor *e, const json_t *a, kg_error *error) {
     double step = shown(e);
     kg_status status = kg_argument_number(a, "step", &step, error);
     if (!status && !(step >= 0 && step <= last(e)))
-        status = kg_fail(error, KG_ERR_INPUT, _("there are %.0f steps"), last(e));
+        status = kg_fail(error, KG_ERR_INPUT, N_("there are %.0f steps"), last(e));
     if (!status)
         kg_sheets_show(e, step);
     return status;
@@ -71,7 +71,7 @@ static kg_status xray(kg_editor *e, const json_t *a, kg_error *error) {
     double opacity = s->opacity < 1 ? 1 : 0.5;
     kg_status status = kg_argument_number(a, "opacity", &opacity, error);
     if (!status && !(opacity >= 0 && opacity <= 1))
-        status = kg_fail(error, KG_ERR_INPUT, _("\"%s\" has to be from 0 to 1"), "opacity");
+        status = kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be from 0 to 1"), "opacity");
     if (!status)
         s->opacity = opacity;
     return status;
@@ -82,7 +82,7 @@ static kg_status spread(kg_editor *e, const json_t *a, kg_error *error) {
     double by = s->spread > 0 ? 0 : 0.5;
     kg_status status = kg_argument_number(a, "by", &by, error);
     if (!status && !(by >= 0 && by <= 1))
-        status = kg_fail(error, KG_ERR_INPUT, _("\"%s\" has to be from 0 to 1"), "by");
+        status = kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be from 0 to 1"), "by");
     if (status)
         return status;
     s->spread = by;
@@ -92,16 +92,13 @@ static kg_status spread(kg_editor *e, const json_t *a, kg_error *error) {
 
 /* ---- what is done ------------------------------------------------------------------------ */
 
-/* "fold": its number from 1; without it the one that led to what is shown. */
+/* "step": of the fold, from 1; without it the one that led to what is shown. Gives its index. */
 static kg_status read_fold(const kg_editor *e, const json_t *a, size_t *out, kg_error *error) {
-    size_t number = (size_t)ceil(shown(e));
-    kg_status status = kg_argument_index(a, "fold", &number, error);
-    if (!status && number == 0)
-        status = kg_fail(error, KG_ERR_INPUT, "%s", _("no fold is shown: choose a step first"));
-    if (!status && number > kg_origami_step(kg_editor_origami(e)))
-        status = kg_fail(error, KG_ERR_INPUT, _("there is no fold %zu that is done"), number);
-    if (!status)
-        *out = number - 1;
+    size_t step = (size_t)ceil(shown(e)), done = kg_origami_step(kg_editor_origami(e));
+    kg_status status = kg_argument_index(a, "step", &step, error);
+    if (!status && (step < 1 || step > done))
+        status = kg_fail(error, KG_ERR_INPUT, N_("there is no fold %zu: %zu are done"), step, done);
+    *out = step - 1;
     return status;
 }
 
@@ -109,7 +106,7 @@ static kg_status take_out(kg_editor *e, const json_t *a, kg_error *error) {
     size_t index;
     kg_status status = read_fold(e, a, &index, error);
     if (!status)
-        status = kg_editor_begin(e, N_("Delete fold"), error);
+        status = kg_editor_begin(e, N_("Unfold"), error);
     if (status)
         return status;
     status = kg_origami_unfold(kg_editor_origami(e), index, error);
@@ -181,10 +178,10 @@ static const kg_app_command items[] = {
     {"step.from_here", N_("Fold from here"),
      N_("Takes back the folds after the step shown; they can be done again until another is made."),
      NULL, NULL, from_here, is_elsewhere, KG_COMMAND_EDIT},
-    {"step.remove", N_("Delete fold"),
+    {"fold.unfold", N_("Unfold"),
      N_("Takes the fold that led to the step shown out, and does the later ones again."), NULL,
      NULL, take_out, shows_fold, KG_COMMAND_EDIT},
-    {"step.set", N_("Change fold"), "", NULL, NULL, set, NULL, KG_COMMAND_ARGUMENTS},
+    {"fold.set", N_("Change fold"), "", NULL, NULL, set, NULL, KG_COMMAND_ARGUMENTS},
 };
 const kg_command_table kg_step_commands = {items, sizeof items / sizeof *items,
                                            KG_FOR_KIND(KG_DOCUMENT_ORIGAMI)};

@@ -103,8 +103,8 @@ static void number(kg_editor *e, size_t fold, const field *f, double is) {
         s->wish = value;
     }
     if (result & KG_FIELD_ENDED)
-        run(e, "step.set",
-            json_pack("{s:I, s:o}", "fold", (json_int_t)fold, f->key,
+        run(e, "fold.set",
+            json_pack("{s:I, s:o}", "step", (json_int_t)fold, f->key,
                       f->whole ? json_integer((json_int_t)value) : json_real(value)));
     if (result & (KG_FIELD_ENDED | KG_FIELD_LEFT))
         s->edited = NULL;
@@ -132,7 +132,7 @@ static void details(kg_editor *e) {
     kg_ui_disabled_end();
     button(e, "step.from_here");
     kg_ui_same_line();
-    button(e, "step.remove");
+    button(e, "fold.unfold");
 }
 
 /* What is known of the layers of a pattern that was read. */
