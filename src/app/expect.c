@@ -36,6 +36,17 @@ static kg_status expect_issues(const kg_editor *e, const char *words, bool fault
     return status;
 }
 
+/* The words are in what one of the issues says. */
+static kg_status expect_issue(const kg_editor *e, const char *words, kg_error *error) {
+    const kg_document *d = e->document;
+    size_t count = kg_document_issue_count(d);
+    for (size_t i = 0; i < count; i++)
+        if (strstr(kg_document_issue(d, i)->message, words))
+            return KG_OK;
+    return kg_fail(error, KG_ERR_INPUT, "none of %zu issues says it: %s", count,
+                   count > 0 ? kg_document_issue(d, 0)->message : "");
+}
+
 kg_status kg_expect_text(const char *what, const char *is, const char *wanted, kg_error *error) {
     if (strcmp(is, wanted) == 0)
         return KG_OK;
@@ -76,6 +87,8 @@ kg_status kg_script_expect(const kg_app *app, const char *w, kg_error *error) {
         return kg_script_expect_net(&app->net_view, w, error);
     if (kg_expect_begins(&w, "issues"))
         return expect_issues(e, w, false, error);
+    if (kg_expect_begins(&w, "issue"))
+        return expect_issue(e, w, error);
     if (kg_expect_begins(&w, "faults"))
         return expect_issues(e, w, true, error);
     if (kg_expect_begins(&w, "undo steps"))
@@ -92,6 +105,10 @@ kg_status kg_script_expect(const kg_app *app, const char *w, kg_error *error) {
         return expect_message(e, w, error);
     if (kg_expect_begins(&w, "shown"))
         return expect_shown(w, error);
+    if (kg_expect_begins(&w, "hidden")) {
+        kg_area area;
+        return kg_expect_yes(kg_ui_find(w, &area), false, "shown", error);
+    }
     if (kg_expect_begins(&w, "reference"))
         return kg_expect_yes(e->backdrop.mesh != NULL, true, "loaded", error);
     if (kg_expect_begins(&w, "quit"))

@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static void language(kg_settings *s) {
+static void language(kg_editor *e) {
+    kg_settings *s = &e->settings;
     static const char *const codes[] = {"", "en", "ja"};
     const char *const names[] = {_("as the system"), "English", "日本語"};
     int index = 0;
@@ -18,6 +19,8 @@ static void language(kg_settings *s) {
         return;
     snprintf(s->language, sizeof s->language, "%s", codes[index]);
     kg_language_use(s->language);
+    kg_editor_say(e, KG_WARNING, "%s", "");
+    e->stale = true; /* what is wrong with the model is said again */
 }
 
 void kg_panel_settings(kg_app *app) {
@@ -32,7 +35,7 @@ void kg_panel_settings(kg_app *app) {
     const char *const themes[] = {_("dark"), _("light")};
     const char *const navigations[] = {_("katagami"), _("as in Blender")};
     int theme = (int)s->theme, navigation = (int)s->navigation;
-    language(s);
+    language(&app->editor);
     kg_ui_width(200);
     if (kg_ui_choice(_("navigation"), navigations, 2, &navigation))
         s->navigation = (kg_navigation)navigation;
