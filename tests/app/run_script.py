@@ -1,7 +1,7 @@
 """Runs a script of the app off-screen. usage: run_script.py KATAGAMI SCRIPT.txt
 
-The script finds a folder of its own in $TMP, copies of the models of the tests in $HERE, those of
-the project in $DATA. Its user has no preferences. Leaves with 77, "skipped", where the machine cannot draw.
+The script finds a folder of its own in $TMP, copies of the models of the tests in $HERE and of those
+of the project in $DATA. Its user has no preferences. Leaves with 77, "skipped", where the machine cannot draw.
 """
 
 import os
@@ -16,8 +16,9 @@ program, script = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 with tempfile.TemporaryDirectory() as folder:
     for model in script.parent.glob("*.katagami"):
         shutil.copy(model, folder)
+    shutil.copytree(script.parents[2] / "data", f"{folder}/data")
     environment = dict(os.environ, TMP=folder, HERE=folder, HOME=folder, LANGUAGE="C",
-                       DATA=str(script.parents[2] / "data"),
+                       DATA=f"{folder}/data",
                        XDG_CONFIG_HOME=f"{folder}/config", XDG_STATE_HOME=f"{folder}/state")
     done = subprocess.run([program, "edit", "--headless", "--script", script], check=False,
                           capture_output=True, text=True, env=environment, cwd=folder)

@@ -26,8 +26,7 @@ static const kind *kind_of(kg_purpose purpose) {
         N_("Open model"), N_("Open"), false, {".katagami", ".json", ".fold", ".cp", MESHES}};
     static const kind save = {N_("Save model"), N_("Save"), true, {".katagami"}};
     static const kind net = {N_("Export net"), N_("Export"), true, {".svg", ".pdf", ".dxf"}};
-    static const kind mesh = {
-        N_("Export mesh"), N_("Export"), true, {".obj", ".ply", ".stl", ".off", ".gltf", ".glb"}};
+    static const kind mesh = {N_("Export mesh"), N_("Export"), true, {MESHES, ".fold", ".cp"}};
     static const kind picture = {N_("Export picture"), N_("Export"), true, {".png"}};
     static const kind reference = {N_("Choose reference"), N_("Choose"), false, {MESHES}};
     static const kind guide = {N_("Export instructions"), N_("Export"), true, {".pdf"}};

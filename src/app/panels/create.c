@@ -5,7 +5,13 @@
 
 #include <stdio.h>
 
-enum { FIELD_WIDTH = 130, SKETCH_WIDTH = 190, SKETCH_HEIGHT = 210, LEFT_WIDTH = 290 };
+enum {
+    FIELD_WIDTH = 130,
+    CHOICE_WIDTH = 220,
+    SKETCH_WIDTH = 190,
+    SKETCH_HEIGHT = 210,
+    LEFT_WIDTH = 290
+};
 
 /* mm kept free around nets that do not say otherwise, on each side. */
 #define MARGIN 8.0
@@ -135,8 +141,8 @@ static void card_fields(kg_new_card *c) {
     int usual = 0;
     while (usual < USUAL_COUNT && !is_card(c, &usual_cards[usual]))
         usual++;
-    kg_ui_width(2 * FIELD_WIDTH);
-    if (kg_ui_choice("##card", names, usual == USUAL_COUNT ? USUAL_COUNT + 1 : USUAL_COUNT,
+    kg_ui_width(CHOICE_WIDTH);
+    if (kg_ui_choice(_("size##card"), names, usual == USUAL_COUNT ? USUAL_COUNT + 1 : USUAL_COUNT,
                      &usual) &&
         usual < USUAL_COUNT)
         *c = usual_cards[usual];
@@ -181,8 +187,8 @@ static void sheet_fields(kg_new_sheet *s) {
     while (usual < USUAL_COUNT &&
            !(s->size.x == usual_sheets[usual].x && s->size.y == usual_sheets[usual].y))
         usual++;
-    kg_ui_width(2 * FIELD_WIDTH);
-    if (kg_ui_choice("##sheet", names, usual == USUAL_COUNT ? USUAL_COUNT + 1 : USUAL_COUNT,
+    kg_ui_width(CHOICE_WIDTH);
+    if (kg_ui_choice(_("size##sheet"), names, usual == USUAL_COUNT ? USUAL_COUNT + 1 : USUAL_COUNT,
                      &usual) &&
         usual < USUAL_COUNT)
         s->size = usual_sheets[usual];
