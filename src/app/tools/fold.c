@@ -75,7 +75,8 @@ static bool find_edge(kg_editor *e, kg_fold_tool *t, kg_vec2 px, bool any_plane,
     const kg_half_edge *halves = s->state->halves.items;
     *out = (kg_fold_edge){{vertex_position(s, halves[side.half].origin),
                            vertex_position(s, halves[side.half ^ 1].origin)},
-                          side.position};
+                          side.position,
+                          side.half};
     if (any_plane)
         set_group(e, t, side.loop, side.drawn);
     s->hover_edge = side.edge;
@@ -156,14 +157,17 @@ static void try_bisect(kg_editor *e, kg_fold_tool *t, kg_vec2 px) {
         return;
     /* the end of the edge that is farther from the axis, on the side that was clicked */
     const kg_sheets *s = kg_sheets_of(e);
+    const kg_half_edge *halves = s->state->halves.items;
     double at = side_of_axis(t, s, t->edge.at), most = -INFINITY;
     fold.by_axis = true;
     fold.points[0] = t->axis[0], fold.points[1] = t->axis[1];
     for (int i = 0; i < 2; i++) {
         double d = side_of_axis(t, s, t->edge.ends[i]) * (at < 0 ? -1 : 1);
         if (d > most)
-            most = d, fold.vertex = t->edge.ends[i];
+            most = d, t->vertex = halves[t->edge.half ^ i].origin;
     }
+    t->picked = halves[t->edge.half].loop;
+    fold.vertex = vertex_position(s, t->vertex);
     kg_fold_try(e, fold);
 }
 

@@ -49,6 +49,7 @@ typedef struct kg_snap {
 /* A straight line of paper: an edge, with the place on it that was clicked. */
 typedef struct kg_fold_edge {
     kg_vec3 ends[2], at;
+    int32_t half; /* of the layer that was clicked */
 } kg_fold_edge;
 
 typedef struct kg_fold_tool {

@@ -22,6 +22,8 @@ static void drop(kg_editor *e, kg_fold_tool *t) {
     t->layers = 1;
     t->between[0] = t->between[1] = -1;
     t->typed[0] = '\0';
+    free(t->pile);
+    t->pile = NULL;
     t->pile_count = 0;
     kg_sheets_unmark(e);
 }
@@ -39,7 +41,7 @@ kg_fold_tool *kg_fold_tool_of(kg_editor *e) {
         drop(e, t);
     }
     /* what was chosen of paper that is no longer so */
-    if ((t->phase != KG_PHASE_READY || t->given || t->vertex >= 0) &&
+    if ((t->phase != KG_PHASE_READY || t->given || t->vertex >= 0 || t->pile) &&
         t->topology != kg_sheets_of(e)->topology)
         drop(e, t);
     return t;
@@ -122,10 +124,11 @@ static void work_out(kg_editor *e, kg_fold_tool *t) {
 static int32_t face_meant(const kg_editor *e, const kg_fold_tool *t) {
     const kg_origami_state *s = kg_sheets_of(e)->state;
     const kg_fold_preview *p = &t->preview;
-    bool picked = t->picked >= 0 && t->angle_deg > 0 && s->loops.items[t->picked].group == t->group;
-    if (!p->has_axis || p->group != t->group)
-        return picked ? t->picked : topmost(t, s);
-    return picked && p->layers[t->picked] != 1 ? t->picked : -1;
+    int32_t top = topmost(t, s);
+    bool picked = t->picked >= 0 && t->angle_deg > 0 && t->pile && t->pile[t->picked] == 1;
+    if (picked && t->picked != top)
+        return t->picked;
+    return !p->has_axis || p->group != t->group ? top : -1;
 }
 
 void kg_fold_try(kg_editor *e, kg_fold fold) {
