@@ -16,7 +16,7 @@ static void show_remark(kg_editor *e, int index) {
     kg_card_state *s = kg_card_state_of(e);
     const kg_oa_remark *r = &kg_document_remarks(e->document)->items[index];
     char place[160], text[512];
-    kg_card_say_place(r, place, sizeof place);
+    kg_oa_remark_place(r, place, sizeof place);
     kg_ui_id_push(index);
     kg_ui_icon(KG_ICON_WARNING, kg_oa_is_fault(r->trouble) ? red : amber);
     kg_ui_same_line();
@@ -27,8 +27,7 @@ static void show_remark(kg_editor *e, int index) {
     }
     if (kg_ui_item_hovered())
         s->hover_remark = index;
-    snprintf(text, sizeof text, "%s: %s; %s", place, kg_card_trouble_reason(r->trouble),
-             kg_card_trouble_advice(r->trouble));
+    kg_oa_remark_say(r, text, sizeof text);
     kg_ui_tooltip(text);
     kg_ui_indent();
     kg_ui_text_wrapped(s->shown_remark == index ? text : place);
