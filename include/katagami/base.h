@@ -42,7 +42,8 @@ typedef enum kg_status {
 
 enum { KG_ERROR_SIZE = 1024 };
 
-/* A message for people: names the file, line, patch or value at fault, and what to do. */
+/* A message for people: names the file, line, patch or value at fault, and what to do. In the
+ * language of the catalogue that the program bound to gettext's domain "katagami", else English. */
 typedef struct kg_error {
     kg_status status;
     char message[KG_ERROR_SIZE];

@@ -315,7 +315,7 @@ KG_API kg_status kg_oa_remarks_create(const kg_oa *oa, const kg_oa_sheet *sheet,
                                       kg_error *error) KG_CHECKED;
 KG_API void kg_oa_remarks_destroy(kg_oa_remarks *remarks);
 
-/* "not-lifted" and the like; what it means; what helps. Static. */
+/* "not-lifted" and the like; what it means and what helps, in the user's language. Static. */
 KG_API const char *kg_oa_trouble_code(kg_oa_trouble trouble);
 KG_API const char *kg_oa_trouble_reason(kg_oa_trouble trouble);
 KG_API const char *kg_oa_trouble_advice(kg_oa_trouble trouble);

@@ -1,8 +1,10 @@
 #include "base/array.h"
 #include "base/file.h"
+#include "base/phrase.h"
 #include "katagami/base.h"
 #include "tests/check.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -25,6 +27,36 @@ static void over_long_messages_are_cut_not_overrun(void **state) {
     assert_int_equal(strlen(e.message), KG_ERROR_SIZE - 1);
     assert_int_equal(kg_fail_in(&e, KG_ERR_IO, "%s", text), KG_ERR_IO);
     assert_int_equal(strlen(e.message), KG_ERROR_SIZE - 1);
+}
+
+/* Wherever it is cut, what is left is whole characters of one to four bytes. */
+static void over_long_phrases_end_with_a_whole_character(void **state) {
+    (void)state;
+    const char *whole = "a\u00b7\u7d19\U0001f409z";
+    const size_t ends[] = {0, 1, 3, 6, 10, 11};
+    char text[16];
+    for (size_t size = 1; size < sizeof text; size++) {
+        memset(text, '?', sizeof text);
+        kg_phrase_print(text, size, "%s", whole);
+        size_t kept = 0;
+        for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+            kept = ends[i] < size ? ends[i] : kept;
+        assert_int_equal(strlen(text), kept);
+        assert_memory_equal(text, whole, kept);
+    }
+    text[0] = '?';
+    kg_phrase_print(text, 0, "%s", whole);
+    assert_int_equal(text[0], '?');
+}
+
+static void without_a_catalogue_texts_stay_as_they_are(void **state) {
+    (void)state;
+    const char *text = "there is no patch %lld";
+    assert_ptr_equal(kg_phrase(text), text);
+    assert_string_equal(kg_phrase(""), "");
+    assert_string_equal(kg_phrase_of_errno(ENOENT), strerror(ENOENT));
+    assert_string_equal(kg_phrase_of_errno(EROFS), strerror(EROFS));
+    assert_string_equal(kg_phrase_of_errno(EPERM), strerror(EPERM));
 }
 
 static void impossible_reserve_leaves_the_array(void **state) {
@@ -68,6 +100,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fail_in_puts_the_place_in_front),
         cmocka_unit_test(over_long_messages_are_cut_not_overrun),
+        cmocka_unit_test(over_long_phrases_end_with_a_whole_character),
+        cmocka_unit_test(without_a_catalogue_texts_stay_as_they_are),
         cmocka_unit_test(impossible_reserve_leaves_the_array),
         cmocka_unit_test(writing_replaces_the_whole_file_or_nothing),
     };
