@@ -232,7 +232,8 @@ typedef struct kg_fold_gap {
 } kg_fold_gap;
 
 /* Gaps between faces at rest that a fold can end in, from the top down; of those that come to the
- * same only one. Where hundreds of layers lie on each other only the uppermost are tried, or none. free() the list. Errors as above, of the fold that ends outside. */
+ * same only one. Where hundreds of layers lie on each other only the uppermost are tried, or none.
+ * free() the list. Errors as above, of the fold that ends outside. */
 KG_API kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold,
                               kg_fold_gap **out_gaps, size_t *out_count,
                               kg_error *error) KG_CHECKED;
