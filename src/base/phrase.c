@@ -13,6 +13,7 @@ void kg_phrase_vprint(char *out_text, size_t size, const char *format, va_list v
     int length = vsnprintf(out_text, size, kg_phrase(format), values);
     if (length < 0 || (size_t)length < size || size == 0)
         return;
+    /* the last character's first byte says how many it should have */
     size_t end = size - 1, last = end;
     while (last > 0 && end - last < 4 && ((unsigned char)out_text[last - 1] & 0xc0) == 0x80)
         last--;
