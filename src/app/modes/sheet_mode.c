@@ -27,6 +27,7 @@ static void toolbar(kg_app *app) {
     kg_panel_fold_buttons(e);
     kg_ui_separator();
     kg_panel_tool_button(e, "sheet.add", KG_ICON_ADD, false);
+    kg_panel_tool_button(e, "sheet.arrange", KG_ICON_MOVE, e->tool == &kg_tool_sheets);
     kg_ui_separator();
     kg_panel_tool_button(e, "step.xray", KG_ICON_EYE, s->opacity < 1);
     kg_panel_tool_button(e, "step.spread", KG_ICON_COPY, s->spread > 0);

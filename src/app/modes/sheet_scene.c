@@ -12,8 +12,15 @@
 /* Of the distance between two layers: how far their common edge bulges. */
 #define BULGE 0.15
 
+/* How far shadows lie below their layer, over the size of the sheets, and how dark each is. */
+#define SHADOW_DEPTH 0.0012
+#define SHADOW 0.07F
+
+/* Edges of more complex states throw none: telling which lie on one another would take too long. */
+enum { MOST_SHADOWS = 1000 };
+
 /* Opacity of edges behind paper. */
-#define HIDDEN 0.1F
+#define HIDDEN 0.08F
 
 static const kg_color ink = {0.1F, 0.1F, 0.12F, 1}, mark = {0.95F, 0.55F, 0.05F, 1},
                       hover = {0.1F, 0.45F, 0.9F, 1};
@@ -219,6 +226,73 @@ static void show_all_edges(const kg_sheets *s, kg_overlay *o) {
     show_threads(s, o);
 }
 
+/* ---- shadows ----------------------------------------------------------------------------- */
+
+static kg_vec3 to_eye(const kg_camera *camera, kg_vec3 from) {
+    kg_vec3 right, up, back;
+    kg_camera_axes(camera, &right, &up, &back);
+    return camera->ortho ? back : kg_sub(kg_madd(camera->center, camera->distance, back), from);
+}
+
+/* Whether the eye is on the front of a loop. */
+static bool faces_eye(const kg_sheets *s, const kg_camera *camera, int32_t loop) {
+    kg_vec3 at = s->drawn[s->state->loops.items[loop].first];
+    return kg_dot(s->normals[loop], to_eye(camera, at)) > 0;
+}
+
+/* Whether two half-edges lie on one another, and the second is nearer to the eye. */
+static bool is_covered(const kg_sheets *s, const kg_camera *camera, int32_t half, int32_t by) {
+    const kg_half_edge *h = s->state->halves.items;
+    kg_vec3 a = s->positions[h[half].origin], b = s->positions[h[half ^ 1].origin];
+    kg_vec3 c = s->positions[h[by].origin], d = s->positions[h[by ^ 1].origin];
+    double apart = fmin(kg_dist(a, c) + kg_dist(b, d), kg_dist(a, d) + kg_dist(b, c));
+    if (apart > 1e-6 * s->state->size)
+        return false;
+    kg_vec3 between = kg_sub(kg_lerp(s->drawn[by], s->drawn[h[by].next], 0.5),
+                             kg_lerp(s->drawn[half], s->drawn[h[half].next], 0.5));
+    double nearer = kg_dot(between, kg_unit(to_eye(camera, a)));
+    return nearer > 1e-6 * s->state->size || (nearer > -1e-6 * s->state->size && by < half);
+}
+
+/* Half-edges that throw a shadow; of those in one place only the one nearest to the eye, or the
+ * shadow of many would be black. */
+static void find_shadows(const kg_sheets *s, const kg_camera *camera, kg_sheet_marks *out) {
+    kg_sheet_marks all = {0};
+    for (int32_t h = 0; (size_t)h < s->state->halves.count; h++)
+        if (s->state->halves.items[h].loop >= 0 && kind_of(s, (size_t)h / 2) == LINE_STRONG &&
+            !kg_push(&all, h))
+            break; /* fewer shadows */
+    for (size_t i = 0; i < all.count && all.count <= MOST_SHADOWS; i++) {
+        bool covered = false;
+        for (size_t k = 0; k < all.count && !covered; k++)
+            covered = k != i && is_covered(s, camera, all.items[i], all.items[k]);
+        if (!covered && !kg_push(out, all.items[i]))
+            break;
+    }
+    free(all.items);
+}
+
+/* Soft lines under the edges of layers, which hide the inner half of them: what shows is a shadow
+ * on the paper below. */
+static void show_shadows(const kg_sheets *s, const kg_camera *camera, kg_overlay *o) {
+    static const float widths[] = {4, 7, 11};
+    kg_sheet_marks edges = {0};
+    find_shadows(s, camera, &edges);
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
+        mesh m = {0};
+        for (size_t k = 0; k < edges.count; k++) {
+            int32_t h = edges.items[k], loop = s->state->halves.items[h].loop;
+            double by = SHADOW_DEPTH * s->state->size * (faces_eye(s, camera, loop) ? -1 : 1);
+            add_line(&m, kg_madd(s->drawn[h], by, s->normals[loop]),
+                     kg_madd(s->drawn[next_half(s, h)], by, s->normals[loop]));
+        }
+        kg_style style = kg_line_style((kg_color){0, 0, 0, SHADOW}, widths[i]);
+        style.exact = true;
+        show_lines(&m, o, style);
+    }
+    free(edges.items);
+}
+
 /* ---- marks ------------------------------------------------------------------------------- */
 
 static void show_edge(const kg_sheets *s, int32_t edge, kg_overlay *o, kg_color color) {
@@ -285,6 +359,8 @@ static uint64_t signature(const kg_editor *e, const kg_sheets *s) {
     hash = mix_marks(mix_marks(mix_marks(hash, &s->loops), &s->edges), &s->vertices);
     hash = mix(mix(mix(hash, (uint64_t)s->hover_loop), (uint64_t)s->hover_edge),
                (uint64_t)s->hover_vertex);
+    for (int32_t i = 0; s->state && (size_t)i < s->state->loops.count; i++)
+        hash = mix(hash, faces_eye(s, &e->pane.camera, i));
     return mix(hash, (uint64_t)(1000 * s->opacity));
 }
 
@@ -296,6 +372,8 @@ kg_status kg_sheet_scene_compose(void **cache, const kg_editor *e, kg_overlay *o
     if (st->shown != signature(e, s)) {
         kg_overlay_clear(&st->picture);
         kg_sheet_scene_plain(s, &st->picture);
+        if (s->state && s->opacity >= 1 && s->spread <= 0)
+            show_shadows(s, &e->pane.camera, &st->picture);
         if (s->state)
             show_marks(s, &st->picture);
         st->shown = signature(e, s);

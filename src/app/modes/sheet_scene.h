@@ -9,7 +9,7 @@ kg_status kg_sheet_scene_compose(void **cache, const kg_editor *editor, kg_overl
                                  kg_error *error) KG_CHECKED;
 void kg_sheet_scene_drop(void *cache);
 
-/* The sheets alone, without marks, as items of a scene. Clear the overlay after use. */
+/* The sheets alone, without marks and shadows, as items of a scene. Clear the overlay after use. */
 void kg_sheet_scene_plain(const kg_sheets *sheets, kg_overlay *overlay);
 
 #endif

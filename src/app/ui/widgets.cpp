@@ -184,8 +184,8 @@ unsigned kg_ui_number(const char *label, double *value, double speed, double lo,
     return shown(label, field_result(changed));
 }
 unsigned kg_ui_slider(const char *label, double *value, double lo, double hi, const char *format) {
-    bool changed = ImGui::SliderScalar(see(label), ImGuiDataType_Double, value, &lo, &hi, format,
-                                       ImGuiSliderFlags_AlwaysClamp);
+    bool changed = ImGui::SliderScalar(see(label), ImGuiDataType_Double, value, &lo, &hi,
+                                       see(format), ImGuiSliderFlags_AlwaysClamp);
     return shown(label, field_result(changed));
 }
 unsigned kg_ui_color_field(const char *label, kg_color *color) {
