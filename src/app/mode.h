@@ -48,8 +48,9 @@ struct kg_mode {
     void (*side)(struct kg_app *app, kg_area area);  /* panels at the right */
     void (*handles)(struct kg_app *app);             /* over the 3D view; may be NULL */
 
-    /* The mouse over the net, at a point of its part (NULL: beside it); NULL: the net is only looked
-     * at. True of a press of the left button: what follows until its release comes here too. */
+    /* The mouse over the net, at a point of its part (NULL: beside it); NULL: the net is only
+     * looked at. True of a press of the left button: what follows until its release comes here too.
+     */
     bool (*net_event)(kg_editor *editor, const kg_event *event, const kg_vec2 *point);
     /* Adds to the drawing of the net's part; may be NULL. `scale`: pixels per layout unit. */
     void (*net_draw)(const kg_editor *editor, const kg_net_map *map, double scale);

@@ -209,7 +209,7 @@ static kg_status set_faces(kg_editor *e, const json_t *a, bool top, kg_error *er
 static kg_status window(kg_editor *e, const json_t *a, kg_error *error) {
     return set_faces(e, a, false, error);
 }
-static kg_status top(kg_editor *e, const json_t *a, kg_error *error) {
+static kg_status omit_top(kg_editor *e, const json_t *a, kg_error *error) {
     return set_faces(e, a, true, error);
 }
 
@@ -361,8 +361,8 @@ static const kg_app_command items[] = {
      N_("Pushes the front at the cursor back, as a window, or brings it to the front again."), "W",
      NULL, window, NULL, KG_COMMAND_EDIT},
     {"card.top", N_("Leave out the top, or not"),
-     N_("Without its top a block is a frame; its paper falls down in front."), "T", NULL, top, NULL,
-     KG_COMMAND_EDIT},
+     N_("Without its top a block is a frame; its paper falls down in front."), "T", NULL, omit_top,
+     NULL, KG_COMMAND_EDIT},
     {"card.fill_windows", N_("Open windows"),
      N_("Makes windows of all fronts in the selected box, or the card, that it holds without."),
      "Ctrl+Shift+W", NULL, fill_windows, is_not_empty, KG_COMMAND_EDIT},

@@ -17,9 +17,8 @@
 
 static bool tick(kg_editor *e, double seconds) {
     kg_card_state *s = kg_card_state_of(e);
-    if (kg_ui_has_mouse() && !s->painting_net) { /* the pointer is over a panel */
+    if (kg_ui_has_mouse() && !s->painting_net) /* the pointer is over a panel */
         s->hovering = false;
-    }
     return kg_card_tick(e, seconds);
 }
 

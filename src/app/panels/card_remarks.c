@@ -109,6 +109,8 @@ void kg_panel_card_legend(const kg_editor *e) {
 
 void kg_panel_card_remarks(kg_app *app, kg_area area) {
     kg_editor *e = &app->editor;
+    if (kg_ui_has_mouse()) /* the row under the pointer will set it */
+        kg_card_state_of(e)->hover_remark = -1;
     kg_ui_panel_begin("card remarks", _("Remarks"), area, 0);
     show_remarks(e);
     kg_ui_panel_end();

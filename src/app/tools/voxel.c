@@ -235,6 +235,7 @@ static kg_status start(kg_editor *e, state *s, const kg_event *event, kg_error *
 static void press(kg_editor *e, state *s, const kg_event *event) {
     kg_error error;
     e->message[0] = '\0';
+    kg_card_play(e, false);
     if (start(e, s, event, &error)) {
         kg_editor_say(e, KG_WARNING, "%s", error.message);
         end_gesture(s);
@@ -395,6 +396,17 @@ static void end(kg_editor *e) {
 
 /* ---- what it shows ---------------------------------------------------------------------- */
 
+/* A box, and its mirror image while edits are symmetric. */
+static void draw_box(const kg_editor *e, kg_overlay *o, kg_spots box, kg_voxel_look look) {
+    int last = kg_editor_oa(e)->width - 1, lo = last - box.hi.x, hi = last - box.lo.x;
+    kg_voxel_draw_box(e, o, &box, look);
+    if (!kg_card_state_of(e)->symmetric || look == KG_VOXEL_SELECTED || lo == box.lo.x)
+        return;
+    box.lo.x = lo;
+    box.hi.x = hi;
+    kg_voxel_draw_box(e, o, &box, look);
+}
+
 static void draw(const kg_editor *e, kg_overlay *o) {
     const state *s = e->tool_state;
     const kg_card_state *card = kg_card_state_of(e);
@@ -404,17 +416,16 @@ static void draw(const kg_editor *e, kg_overlay *o) {
     bool remove = s && s->gesture != IDLE ? s->remove : takes_away(e, e->mods);
     kg_voxel_draw_plane(e, o);
     if (filling || selecting) {
-        kg_spots box = kg_spots_between(s->start, s->now);
-        kg_voxel_draw_box(e, o, &box,
-                          selecting   ? KG_VOXEL_SELECTED
-                          : s->remove ? KG_VOXEL_REMOVED
-                                      : KG_VOXEL_ADDED);
+        draw_box(e, o, kg_spots_between(s->start, s->now),
+                 selecting   ? KG_VOXEL_SELECTED
+                 : s->remove ? KG_VOXEL_REMOVED
+                             : KG_VOXEL_ADDED);
         return;
     }
     if (card->boxed)
-        kg_voxel_draw_box(e, o, &card->box, KG_VOXEL_SELECTED);
-    kg_spots cursor = {card->cursor, card->cursor};
-    kg_voxel_draw_box(e, o, &cursor, remove ? KG_VOXEL_REMOVED : KG_VOXEL_ADDED);
+        draw_box(e, o, card->box, KG_VOXEL_SELECTED);
+    draw_box(e, o, (kg_spots){card->cursor, card->cursor},
+             remove ? KG_VOXEL_REMOVED : KG_VOXEL_ADDED);
 }
 
 static const char *hint_now(const kg_editor *e) {
