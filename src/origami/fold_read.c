@@ -160,11 +160,13 @@ static kg_status read_pattern(kg_reader *p, const frame *f, size_t base, kg_patt
 /* ---- the folded form -------------------------------------------------------------------- */
 
 /* Takes the positions of the folded form; faces must be congruent to the pattern's. */
-static kg_status take_positions(kg_reader *p, const json_t *list, kg_origami_state *s) {
-    if (json_array_size(list) != s->vertices.count)
+static kg_status take_positions(kg_reader *p, const json_t *list, const kg_pattern *pattern,
+                                kg_origami_state *s) {
+    size_t count = pattern->vertices.count;
+    if (json_array_size(list) != count)
         return kg_read_fail(p, "the folded form has %zu vertices, the crease pattern %zu",
-                            json_array_size(list), s->vertices.count);
-    for (size_t i = 0; i < s->vertices.count; i++) {
+                            json_array_size(list), count);
+    for (size_t i = 0; i < count; i++) {
         double x[3] = {0};
         size_t n;
         kg_read_enter(p, NULL, i);
@@ -174,6 +176,9 @@ static kg_status take_positions(kg_reader *p, const json_t *list, kg_origami_sta
             return status;
         s->vertices.items[i].position = kg_v3(x[0], x[1], x[2]);
     }
+    for (size_t i = 0; i < pattern->divided.count; i++)
+        s->vertices.items[count + i].position =
+            s->vertices.items[pattern->divided.items[i]].position;
     return kg_pattern_take(s, p->error);
 }
 
@@ -236,7 +241,7 @@ static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded
         status = kg_pattern_state(pattern, &s, p->error);
     if (!status) {
         enter_key(p, folded, "vertices_coords", base);
-        status = take_positions(p, find(folded, "vertices_coords"), s);
+        status = take_positions(p, find(folded, "vertices_coords"), pattern, s);
     }
     if (!status) {
         enter_key(p, folded, "faceOrders", base);

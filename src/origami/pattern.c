@@ -13,6 +13,7 @@ void kg_pattern_clear(kg_pattern *p) {
     free(p->vertices.items);
     free(p->edges.items);
     kg_face_list_clear(&p->faces);
+    free(p->divided.items);
     *p = (kg_pattern){0};
 }
 
@@ -242,7 +243,7 @@ static kg_status add_edges(kg_origami_state *s, const kg_pattern *p) {
     return status;
 }
 
-/* A border or cut with paper on both sides becomes two borders; they keep their common vertices. */
+/* A border or cut with paper on both sides becomes two borders. */
 static kg_status open_cuts(kg_origami_state *s) {
     size_t count = s->edges.count;
     for (size_t e = 0; e < count; e++) {
@@ -267,7 +268,57 @@ static kg_status open_cuts(kg_origami_state *s) {
     return KG_OK;
 }
 
-/* Numbers sheets by connected pieces. Vertices belong to the last one that uses them. */
+/* Moves the corners that hang together at one vertex, clockwise and the other way from that of `h`,
+ * to vertex `to`. */
+static void move_corners(kg_origami_state *s, int32_t h, int32_t to, bool *seen) {
+    int32_t k = h;
+    do {
+        seen[k] = true;
+        s->halves.items[k].origin = to;
+        k = kg_twin(k);
+    } while (kg_loop_of(s, k) >= 0 && (k = kg_next(s, k)) != h);
+    if (k == h)
+        return;
+    for (k = h;;) {
+        int32_t before = k;
+        while (kg_next(s, before) != k)
+            before = kg_next(s, before);
+        k = kg_twin(before);
+        if (kg_loop_of(s, k) < 0)
+            return;
+        seen[k] = true;
+        s->halves.items[k].origin = to;
+    }
+}
+
+/* Gives every fan of faces around a vertex its own, the first the one they had. */
+static kg_status divide_vertices(kg_origami_state *s, kg_pattern *p) {
+    bool *seen = calloc(s->halves.count + 1, sizeof *seen),
+         *taken = calloc(s->vertices.count + 1, sizeof *taken);
+    kg_status status = seen && taken ? KG_OK : KG_ERR_MEMORY;
+    for (size_t h = 0; h < s->halves.count && !status; h++) {
+        int32_t v = s->halves.items[h].origin, to = v;
+        if (seen[h] || kg_loop_of(s, (int32_t)h) < 0)
+            continue;
+        if (taken[v]) {
+            kg_paper_vertex copy = s->vertices.items[v];
+            to = (int32_t)s->vertices.count;
+            if (!kg_push(&s->vertices, copy) || !kg_push(&p->divided, v))
+                status = KG_ERR_MEMORY;
+        }
+        taken[v] = true;
+        if (!status)
+            move_corners(s, (int32_t)h, to, seen);
+    }
+    for (size_t h = 0; h < s->halves.count && !status; h++)
+        if (kg_loop_of(s, (int32_t)h) < 0)
+            s->halves.items[h].origin = s->halves.items[kg_next(s, kg_twin((int32_t)h))].origin;
+    free(seen);
+    free(taken);
+    return status;
+}
+
+/* Numbers sheets by connected pieces. */
 static kg_status find_sheets(kg_origami_state *s) {
     int32_t *todo = malloc((s->loops.count + 1) * sizeof *todo), sheet = 0;
     if (!todo)
@@ -325,6 +376,8 @@ kg_status kg_pattern_state(kg_pattern *p, kg_origami_state **out_state, kg_error
     }
     if (!status)
         status = open_cuts(s);
+    if (!status)
+        status = divide_vertices(s, p);
     if (!status)
         status = find_sheets(s);
     if (!status && !kg_push(&s->groups, ((kg_face_group){kg_v3(0, 0, 1), 0})))

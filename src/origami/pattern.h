@@ -23,6 +23,10 @@ typedef struct kg_pattern {
         size_t count, capacity;
     } edges;
     kg_face_list faces; /* counter-clockwise; empty: to be traced */
+    struct {
+        int32_t *items; /* vertices that were divided at cuts, one for every piece more */
+        size_t count, capacity;
+    } divided;
 } kg_pattern;
 
 void kg_pattern_clear(kg_pattern *pattern);
@@ -34,8 +38,10 @@ kg_status kg_pattern_clean(kg_pattern *pattern, kg_error *error);
 kg_status kg_pattern_trace(kg_pattern *pattern, kg_error *error);
 
 /* Half-edges with all vertices flat in z = 0, loops in face order (each divided face in place of
- * one), sheets numbered by connected pieces; faces are traced when there are none. Edge angles are
- * those of the pattern, not of the flat state. */
+ * one), sheets numbered by connected pieces; faces are traced when there are none. Cuts become two
+ * borders, and a vertex whose faces are parted by cuts or borders becomes one for each part, so
+ * that paper can open there: those come behind the pattern's, which lists them as divided. Edge
+ * angles are those of the pattern, not of the flat state. */
 kg_status kg_pattern_state(kg_pattern *pattern, kg_origami_state **out_state, kg_error *error);
 
 /* Turns a state whose vertices lie flat as its angles say, from the first loop of every sheet

@@ -88,19 +88,20 @@ static void test_counts_equal_brute_force(void **user) {
 
 /* ---- known patterns --------------------------------------------------------------------- */
 
+static const char strip[] =
+    "{\"vertices_coords\": [[0,0],[1,0],[2,0],[3,0],[4,0],[0,1],[1,1],[2,1],[3,1],[4,1]],"
+    "\"edges_vertices\": [[0,1],[1,2],[2,3],[3,4],[5,6],[6,7],[7,8],[8,9],[0,5],[4,9],[1,6],"
+    "[2,7],[3,8]],"
+    "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\","
+    "\"U\",\"U\",\"U\"]}";
+
 static void test_two_strips_wind_both_ways(void **user) {
     (void)user;
     /* a strip of four with open creases: the number of ways to fold a strip of four stamps, 16 */
     kg_origami *o;
     kg_layer_report report;
     kg_error error = {0};
-    const char *text =
-        "{\"vertices_coords\": [[0,0],[1,0],[2,0],[3,0],[4,0],[0,1],[1,1],[2,1],[3,1],[4,1]],"
-        "\"edges_vertices\": [[0,1],[1,2],[2,3],[3,4],[5,6],[6,7],[7,8],[8,9],[0,5],[4,9],[1,6],"
-        "[2,7],[3,8]],"
-        "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\","
-        "\"U\",\"U\",\"U\"]}";
-    if (import(text, "strip.fold", &o, &report, &error))
+    if (import(strip, "strip.fold", &o, &report, &error))
         fail_msg("%s", error.message);
     assert_near(report.states, 16, 0);
     assert_true(report.exact);
@@ -162,6 +163,136 @@ static void test_wide_middle_between_two_valleys_is_impossible(void **user) {
     kg_origami_destroy(o);
 }
 
+/* Six faces, eleven pairs on each other; without two of those pairs there seem to be no orders, or
+ * none that are complete. */
+static void test_every_pair_that_overlaps_counts(void **user) {
+    (void)user;
+    static const char text[] =
+        "{\"vertices_coords\": [[0, 0], [100, 0], [100, 100], [0, 100], [100, "
+        "22.18993356607624], [0, 51.556206517548], [6.508503829203377, 100], "
+        "[23.607209604803312, 44.6236489087754], [0, 24.737740284950625], [100, "
+        "40.84024880874534], [56.78619576376573, 100], [73.08768627763384, 0], [100, "
+        "10.396627002449721]], \"edges_vertices\": [[0, 11], [1, 12], [2, 10], [3, 5], [4, 9], "
+        "[5, 8], [5, 7], [6, 3], [7, 4], [6, 7], [8, 0], [7, 8], [9, 2], [10, 6], [10, 9], "
+        "[11, 1], [12, 4], [12, 11]], \"edges_assignment\": [\"B\", \"B\", \"B\", \"B\", "
+        "\"B\", \"B\", \"M\", \"B\", \"M\", \"M\", \"B\", \"V\", \"B\", \"B\", \"M\", \"B\", "
+        "\"B\", \"V\"], \"faces_vertices\": [[9, 2, 10], [11, 1, 12], [6, 3, 5, 7], [7, 5, 8], "
+        "[10, 6, 7, 4, 9], [12, 4, 7, 8, 0, 11]]}";
+    kg_origami *o;
+    kg_layer_report report;
+    kg_error error = {0};
+    if (import(text, "pairs.fold", &o, &report, &error))
+        fail_msg("%s", error.message);
+    kg_origami_state *s = kg_state_copy(last(o), true);
+    assert_int_equal(s->orders.count, 11);
+    assert_near(report.states, 2, 0);
+    assert_int_equal(count_by_force(s), 2);
+    kg_state_destroy(s);
+    kg_origami_destroy(o);
+}
+
+/* ---- cuts ------------------------------------------------------------------------------- */
+
+/* Upper left flap over the upper right, hinged at x = 2; what was its lower edge is the cut. */
+static const char slit[] =
+    "{\"vertices_coords\": [[0,0],[4,0],[4,2],[4,4],[2,4],[0,4],[0,2],[2,2]],"
+    "\"edges_vertices\": [[0,1],[1,2],[2,3],[3,4],[4,5],[5,6],[6,0],[6,7],[4,7],[2,7]],"
+    "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"C\",\"V\","
+    "\"F\"]}";
+
+static void test_paper_opens_along_a_slit(void **user) {
+    (void)user;
+    kg_origami *o, *again;
+    kg_layer_report report;
+    kg_error error = {0};
+    if (import(slit, "slit.fold", &o, &report, &error))
+        fail_msg("%s", error.message);
+    const kg_origami_state *s = last(o);
+    assert_int_equal(s->loops.count, 3);
+    assert_int_equal(s->vertices.count, 9); /* two where the slit begins, one where it ends */
+    assert_near(report.states, 1, 0);
+    assert_sound(s);
+    char *text;
+    size_t size;
+    if (kg_origami_fold_text(o, 0, false, &text, &size, &error) ||
+        kg_origami_import_memory(text, size, "again.fold", &again, NULL, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(last(again)->vertices.count, 9);
+    assert_sound(last(again));
+    kg_origami_destroy(again);
+    /* without the folded form, too */
+    memcpy(strstr(text, "\"file_frames\""), "\"some_frames\"", 13);
+    if (kg_origami_import_memory(text, size, "again.fold", &again, NULL, &error))
+        fail_msg("%s", error.message);
+    assert_true(same_state(s, last(again)));
+    kg_origami_destroy(again);
+    free(text);
+    kg_origami_destroy(o);
+}
+
+/* Both creases that meet at the slit fold on their own: at its middle there are two vertices, and
+ * neither has to meet Kawasaki's or Maekawa's condition. */
+static void test_creases_end_at_an_inner_slit(void **user) {
+    (void)user;
+    kg_origami *o;
+    kg_layer_report report;
+    kg_error error = {0};
+    if (import("{\"vertices_coords\": [[0,0],[2,0],[4,0],[4,2],[4,4],[2,4],[0,4],[0,2],[1,2],[2,2],"
+               "[3,2]],"
+               "\"edges_vertices\": [[0,1],[1,2],[2,3],[3,4],[4,5],[5,6],[6,7],[7,0],[7,8],[8,9],"
+               "[9,10],[10,3],[1,9],[9,5]],"
+               "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"B\","
+               "\"F\",\"C\",\"C\",\"F\",\"V\",\"V\"]}",
+               "slit.fold", &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(last(o)->loops.count, 4);
+    assert_int_equal(last(o)->vertices.count, 12);
+    assert_near(report.states, 1, 0);
+    assert_sound(last(o));
+    kg_origami_destroy(o);
+}
+
+static void test_a_ring_of_cuts_makes_two_sheets(void **user) {
+    (void)user;
+    kg_origami *o;
+    kg_layer_report report;
+    kg_error error = {0};
+    if (import("{\"vertices_coords\": [[0,0],[4,0],[4,4],[0,4],[1,1],[3,1],[3,3],[1,3]],"
+               "\"edges_vertices\": [[0,1],[1,2],[2,3],[3,0],[4,5],[5,6],[6,7],[7,4],[0,4],[1,5],"
+               "[2,6],[3,7]],"
+               "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"C\",\"C\",\"C\",\"C\","
+               "\"F\",\"F\",\"F\",\"F\"]}",
+               "ring.fold", &o, &report, &error))
+        fail_msg("%s", error.message);
+    const kg_origami_state *s = last(o);
+    assert_int_equal(s->loops.count, 5);
+    assert_int_equal(s->vertices.count, 12);
+    int sheets = 0;
+    for (size_t i = 0; i < s->loops.count; i++)
+        sheets = s->loops.items[i].sheet > sheets ? s->loops.items[i].sheet : sheets;
+    assert_int_equal(sheets, 1);
+    assert_int_equal(s->orders.count, 0);
+    assert_sound(s);
+    kg_origami_destroy(o);
+}
+
+static void test_search_ends_when_its_steps_are_over(void **user) {
+    (void)user;
+    kg_origami *o = NULL;
+    kg_layer_report report = kg_layer_report_default();
+    kg_error error;
+    report.most_steps = 1;
+    assert_int_equal(kg_origami_import_memory(strip, strlen(strip), "s.fold", &o, &report, &error),
+                     KG_ERR_CANCELLED);
+    report = kg_layer_report_default();
+    report.most_states = 2;
+    if (kg_origami_import_memory(strip, strlen(strip), "s.fold", &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_false(report.exact);
+    assert_in_range((int)report.states, 2, 16);
+    kg_origami_destroy(o);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_counts_equal_brute_force),
@@ -169,6 +300,11 @@ int main(void) {
         cmocka_unit_test(test_square_twist),
         cmocka_unit_test(test_bad_vertices_are_named),
         cmocka_unit_test(test_wide_middle_between_two_valleys_is_impossible),
+        cmocka_unit_test(test_every_pair_that_overlaps_counts),
+        cmocka_unit_test(test_paper_opens_along_a_slit),
+        cmocka_unit_test(test_creases_end_at_an_inner_slit),
+        cmocka_unit_test(test_a_ring_of_cuts_makes_two_sheets),
+        cmocka_unit_test(test_search_ends_when_its_steps_are_over),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
