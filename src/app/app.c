@@ -5,6 +5,7 @@
 #include "app/mode.h"
 #include "app/panels/panels.h"
 #include "app/recovery.h"
+#include "app/text.h"
 #include "app/tools/tool.h"
 
 #include <stdio.h>
@@ -167,6 +168,11 @@ void kg_app_event(kg_app *app, const kg_event *event, double seconds) {
     e->pane.scale = scale;
     if (is_of_mouse(event))
         e->pointer = event->position;
+    bool acts = event->type == KG_EVENT_PRESS || event->type == KG_EVENT_KEY;
+    if (kg_editor_message_due(e) == 0 || (acts && kg_editor_message_due(e) > 0)) {
+        e->message[0] = '\0';
+        app->redraw = true;
+    }
     give_to_app(app, event);
     kg_ui_set_look(e->settings.theme, scale);
     kg_ui_begin(event, app->width, app->height, seconds);
@@ -221,5 +227,5 @@ void kg_app_title(const kg_app *app, char *out, size_t size) {
     snprintf(out, size, "%s%s — katagami", kg_editor_is_modified(&app->editor) ? "● " : "",
              slash  ? slash + 1
              : path ? path
-                    : "untitled");
+                    : _("untitled"));
 }

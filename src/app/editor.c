@@ -11,6 +11,9 @@
 #include <string.h>
 #include <strings.h>
 
+/* How long a message that is no fault is shown. */
+#define MESSAGE_SECONDS 8
+
 kg_model *kg_editor_model(const kg_editor *e) {
     return kg_document_model(e->document);
 }
@@ -38,6 +41,12 @@ void kg_editor_say(kg_editor *e, kg_severity severity, const char *format, ...) 
     va_end(args);
     e->severity = severity;
     e->message_number++;
+    e->message_clock = e->clock;
+}
+
+double kg_editor_message_due(const kg_editor *e) {
+    bool goes = e->message[0] && e->severity != KG_FAULT;
+    return goes ? fmax(e->message_clock + MESSAGE_SECONDS - e->clock, 0) : -1;
 }
 
 /* ---- selection -------------------------------------------------------------------------- */

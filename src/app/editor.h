@@ -90,7 +90,8 @@ typedef struct kg_editor {
     kg_pane pane;
     kg_settings settings;
     double patch_opacity;
-    kg_vec3 mirror_normal; /* of the mirror's plane through the origin */
+    kg_vec3 mirror_normal; /* of the mirror's plane */
+    double mirror_place;   /* mm from the origin along the normal */
     bool trim_cutters;     /* trim inside also trims the cutters */
     kg_mends mends;        /* what would mend the patch shown */
 
@@ -102,6 +103,7 @@ typedef struct kg_editor {
     char message[KG_ERROR_SIZE]; /* the last thing to tell; empty: nothing */
     kg_severity severity;
     uint64_t message_number;
+    double message_clock; /* when it was said */
     kg_request request;
     double clock; /* s */
 } kg_editor;
@@ -158,6 +160,9 @@ void kg_editor_update(kg_editor *editor);
 /* Shows a message in the status bar, or clears it (`format` ""). */
 void kg_editor_say(kg_editor *editor, kg_severity severity, const char *format, ...)
     KG_PRINTF(3, 4);
+
+/* Seconds until a message gives way to the hints of the tool; negative: never by itself. */
+double kg_editor_message_due(const kg_editor *editor);
 
 /* ---- selection -------------------------------------------------------------------------- */
 

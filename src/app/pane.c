@@ -44,6 +44,18 @@ kg_vec3 kg_pane_on_screen_plane(const kg_pane *v, kg_vec2 px, kg_vec3 through) {
     return point;
 }
 
+bool kg_pane_along_axis(const kg_pane *v, kg_vec2 px, kg_vec3 through, kg_vec3 axis,
+                        double *out_mm) {
+    kg_vec3 o, d;
+    kg_pane_ray(v, px, &o, &d);
+    kg_vec3 w = kg_sub(o, through);
+    double b = kg_dot(axis, d), den = 1 - b * b;
+    if (den < 1e-4)
+        return false;
+    *out_mm = (kg_dot(w, axis) - b * kg_dot(w, d)) / den;
+    return isfinite(*out_mm);
+}
+
 double kg_pane_pixel_mm(const kg_pane *v, kg_vec3 point) {
     kg_vec3 right, up, back;
     double mm = kg_camera_pixel_size(&v->camera, v->area.height);

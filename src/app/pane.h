@@ -30,6 +30,10 @@ kg_vec3 kg_pane_on_screen_plane(const kg_pane *pane, kg_vec2 px, kg_vec3 through
 /* The point under `px` in any plane; false when it is seen edge-on or lies behind. */
 bool kg_pane_on_plane(const kg_pane *pane, kg_vec2 px, kg_vec3 through, kg_vec3 normal,
                       kg_vec3 *out_point);
+/* How far along an axis (of length 1) through a point the place nearest to the line of sight is,
+ * mm; false when the axis is seen end-on. */
+bool kg_pane_along_axis(const kg_pane *pane, kg_vec2 px, kg_vec3 through, kg_vec3 axis,
+                        double *out_mm);
 /* Size of a pixel at a point, mm. */
 double kg_pane_pixel_mm(const kg_pane *pane, kg_vec3 point);
 

@@ -315,6 +315,15 @@ static kg_status do_fail(script *s, const char *words, kg_error *error) {
     return kg_fail(error, KG_ERR_INPUT, "%s should have failed", words);
 }
 
+/* A command that may fail. */
+static kg_status do_try(script *s, const char *words, kg_error *error) {
+    kg_error reason;
+    (void)error;
+    if (do_command(s, words, &reason))
+        s->app->editor.message[0] = '\0';
+    return KG_OK;
+}
+
 static kg_status do_expect(script *s, const char *words, kg_error *error) {
     return kg_script_expect(s->app, skip_spaces(words), error);
 }
@@ -390,14 +399,29 @@ static kg_status do_monkey(script *s, const char *words, kg_error *error) {
 static const struct {
     const char *name;
     kg_status (*run)(script *, const char *, kg_error *);
-} verbs[] = {{"move", do_move},       {"click", do_click},       {"drag", do_drag},
-             {"press", do_press},     {"release", do_release},   {"key", do_key},
-             {"text", do_text},       {"wheel", do_wheel},       {"open", do_open},
-             {"save", do_save},       {"drop", do_drop},         {"wait", do_wait},
-             {"command", do_command}, {"fail", do_fail},         {"expect", do_expect},
-             {"shot", do_shot},       {"resize", do_resize},     {"monkey", do_monkey},
-             {"recover", do_recover}, {"autosave", do_autosave}, {"preferences", do_preferences},
-             {"start", do_start}};
+} verbs[] = {{"move", do_move},
+             {"click", do_click},
+             {"drag", do_drag},
+             {"press", do_press},
+             {"release", do_release},
+             {"key", do_key},
+             {"text", do_text},
+             {"wheel", do_wheel},
+             {"open", do_open},
+             {"save", do_save},
+             {"drop", do_drop},
+             {"wait", do_wait},
+             {"command", do_command},
+             {"fail", do_fail},
+             {"expect", do_expect},
+             {"shot", do_shot},
+             {"resize", do_resize},
+             {"monkey", do_monkey},
+             {"recover", do_recover},
+             {"autosave", do_autosave},
+             {"preferences", do_preferences},
+             {"start", do_start},
+             {"try", do_try}};
 
 static kg_status run_line(script *s, const char *line, kg_error *error) {
     char verb[32];

@@ -149,9 +149,12 @@ static kg_status draw(window *w, kg_error *error) {
     return status;
 }
 
-/* Waits for the next event, or until an autosave is due. An idle window costs nothing. */
+/* Waits for the next event, or until an autosave is due or a message has been shown long enough. An
+ * idle window costs nothing. */
 static void wait(const kg_app *app) {
-    double due = kg_recovery_due(app);
+    double due = kg_recovery_due(app), message = kg_editor_message_due(&app->editor);
+    if (message >= 0)
+        due = due < 0 ? message : fmin(due, message);
     if (app->busy)
         glfwWaitEventsTimeout(TICK);
     else if (due >= 0)

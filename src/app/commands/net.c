@@ -47,10 +47,16 @@ static kg_status pin(kg_editor *e, const json_t *a, kg_error *error) {
     return kg_editor_finish(e, kg_pin_set(kg_editor_model(e), patch, piece, place, error));
 }
 
+static bool has_pins(const kg_editor *e) {
+    return json_object_get(kg_editor_model(e)->net.json, "placements") != NULL;
+}
+
 static kg_status unpin(kg_editor *e, const json_t *a, kg_error *error) {
     int64_t patch = 0;
     size_t piece = KG_PIN_ALL;
     kg_status status = KG_OK;
+    if (!has_pins(e))
+        return kg_fail(error, KG_ERR_INPUT, "%s", _("no part is pinned"));
     if (json_object_get(a, "piece"))
         piece = 0;
     status = kg_argument_id(a, "patch", &patch, error);
@@ -62,10 +68,6 @@ static kg_status unpin(kg_editor *e, const json_t *a, kg_error *error) {
         return status;
     kg_editor_touch(e);
     return kg_editor_finish(e, kg_pin_remove(kg_editor_model(e), patch, piece, error));
-}
-
-static bool has_pins(const kg_editor *e) {
-    return json_object_get(kg_editor_model(e)->net.json, "placements") != NULL;
 }
 
 /* ---- settings --------------------------------------------------------------------------- */

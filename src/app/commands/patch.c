@@ -113,7 +113,8 @@ static kg_status duplicate(kg_editor *e, const json_t *a, kg_error *error) {
 }
 
 static kg_status mirror(kg_editor *e, const json_t *a, kg_error *error) {
-    kg_vec3 point = {0, 0, 0}, normal = e->mirror_normal;
+    kg_vec3 normal = e->mirror_normal;
+    kg_vec3 point = a ? kg_v3(0, 0, 0) : kg_scale(normal, e->mirror_place);
     kg_status status = kg_argument_vec3(a, "point", &point, error);
     if (!status)
         status = kg_argument_vec3(a, "normal", &normal, error);

@@ -64,8 +64,14 @@ static kg_status set_reference(kg_editor *e, const json_t *a, kg_error *error) {
     return status;
 }
 
+static bool has_reference(const kg_editor *e) {
+    return kg_editor_model(e)->reference.file != NULL;
+}
+
 static kg_status toggle_reference(kg_editor *e, const json_t *a, kg_error *error) {
     (void)a;
+    if (!has_reference(e))
+        return kg_fail(error, KG_ERR_INPUT, "%s", _("there is no reference"));
     kg_status status = kg_editor_begin(e, N_("Show or hide reference"), error);
     if (status)
         return status;
@@ -73,10 +79,6 @@ static kg_status toggle_reference(kg_editor *e, const json_t *a, kg_error *error
     ref->visible = !ref->visible;
     kg_editor_commit(e);
     return KG_OK;
-}
-
-static bool has_reference(const kg_editor *e) {
-    return kg_editor_model(e)->reference.file != NULL;
 }
 
 static const kg_app_command items[] = {

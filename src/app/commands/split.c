@@ -1,6 +1,7 @@
 /* Splitting a patch in two with a plane in between, cut apart by construction patches. */
 #include "app/commands/mend.h"
 #include "app/scenery.h"
+#include "app/text.h"
 #include "model/edit.h"
 #include "patch/mend.h"
 
@@ -91,13 +92,13 @@ kg_status kg_mend_split(kg_editor *e, int64_t id, kg_error *error) {
     int64_t half = 0, plane = 0, cutters[2] = {0, 0};
     if (!status) {
         p->input = parts.halves[0];
-        status = add_part(m, name, "plane", color, &parts.plane, &plane, error);
+        status = add_part(m, name, _("plane"), color, &parts.plane, &plane, error);
     }
     if (!status)
         status = add_part(m, name, "2", color, &parts.halves[1], &half, error);
     for (int i = 0; i < 2 && !status; i++) {
-        status =
-            add_part(m, name, i ? "cut 2" : "cut 1", NULL, &parts.cutters[i], &cutters[i], error);
+        status = add_part(m, name, i ? _("cut 2") : _("cut 1"), NULL, &parts.cutters[i],
+                          &cutters[i], error);
         if (!status)
             kg_model_find(m, cutters[i])->construction = true;
     }

@@ -6,7 +6,8 @@
 #include <ctype.h>
 #include <string.h>
 
-enum { MOST_SHOWN = 12 };
+/* Layout units; more commands are reached by scrolling. */
+enum { LIST_HEIGHT = 330 };
 
 /* Every word of `search` occurs in `text`, in any case of ASCII letters. */
 static bool matches(const char *text, const char *search) {
@@ -34,13 +35,16 @@ static bool is_listed(const kg_editor *e, const kg_app_command *c, const char *s
            (matches(_(c->title), search) || matches(c->id, search));
 }
 
-static void move_choice(kg_dialogs *d, size_t count) {
+/* True when the choice is another one by the keyboard: the list scrolls to it. */
+static bool move_choice(kg_dialogs *d, size_t count) {
+    size_t before = d->chosen;
     if (kg_ui_key_pressed(KG_KEY_DOWN) && d->chosen + 1 < count)
         d->chosen++;
     if (kg_ui_key_pressed(KG_KEY_UP) && d->chosen > 0)
         d->chosen--;
     if (d->chosen >= count)
         d->chosen = count > 0 ? count - 1 : 0;
+    return d->chosen != before;
 }
 
 void kg_panel_palette(kg_app *app) {
@@ -56,36 +60,41 @@ void kg_panel_palette(kg_app *app) {
     }
     if (!kg_ui_palette_begin("palette", 440))
         return;
-    const kg_app_command *shown[MOST_SHOWN], *run = NULL;
-    size_t count = 0;
+    const kg_app_command *run = NULL;
+    size_t count = 0, n = 0;
     kg_ui_width(-1);
     if (kg_ui_text_field("##search", d->search, sizeof d->search, _("Find a command"), d->focus) &
         KG_FIELD_CHANGED)
         d->chosen = 0;
     bool entered = kg_ui_field_entered();
     d->focus = false;
-    for (size_t i = 0; i < kg_command_count() && count < MOST_SHOWN; i++)
-        if (is_listed(e, kg_command_at(i), d->search))
-            shown[count++] = kg_command_at(i);
-    move_choice(d, count);
+    for (size_t i = 0; i < kg_command_count(); i++)
+        count += is_listed(e, kg_command_at(i), d->search);
+    bool moved = move_choice(d, count);
+    kg_ui_child_begin("list", LIST_HEIGHT);
     if (kg_ui_table_begin("found", 2, widths)) {
-        for (size_t i = 0; i < count; i++) {
+        for (size_t i = 0; i < kg_command_count(); i++) {
+            const kg_app_command *c = kg_command_at(i);
             char keys[32];
+            if (!is_listed(e, c, d->search))
+                continue;
+            bool chosen = n++ == d->chosen;
             kg_ui_table_row();
             kg_ui_table_next();
-            kg_ui_disabled_begin(!kg_command_is_enabled(shown[i], e));
-            if (kg_ui_selectable(_(shown[i]->title), i == d->chosen))
-                run = shown[i];
-            kg_ui_tooltip(_(shown[i]->help));
+            kg_ui_disabled_begin(!kg_command_is_enabled(c, e));
+            if (kg_ui_selectable(_(c->title), chosen) || (chosen && entered))
+                run = c;
+            if (chosen && moved)
+                kg_ui_scroll_here();
+            kg_ui_tooltip(_(c->help));
             kg_ui_disabled_end();
             kg_ui_table_next();
-            kg_command_shortcut(shown[i], e->settings.navigation, keys);
+            kg_command_shortcut(c, e->settings.navigation, keys);
             kg_ui_text_dim(keys);
         }
         kg_ui_table_end();
     }
-    if (entered && count > 0)
-        run = shown[d->chosen];
+    kg_ui_child_end();
     if (run || kg_ui_key_pressed(KG_KEY_ESCAPE))
         kg_ui_popup_close();
     kg_ui_popup_end();

@@ -14,6 +14,8 @@ void kg_panel_tool_button(kg_editor *editor, const char *id, kg_icon icon, bool 
 void kg_panel_outliner(kg_app *app, kg_area area);
 void kg_panel_properties(kg_app *app, kg_area area);
 void kg_panel_status(kg_app *app, kg_area area);
+/* Of text that tells something, to be read on the panels of the theme. */
+kg_color kg_panel_severity_color(const kg_editor *editor, kg_severity severity);
 void kg_panel_net(kg_app *app);                         /* takes its place from the 3D view */
 void kg_panel_net_settings(kg_app *app);                /* a popup of the net view's header */
 void kg_panel_axes(kg_app *app);                        /* the ball that turns the view */

@@ -102,15 +102,19 @@ static void show_extent(kg_editor *e, kg_model_patch *p, const kg_solved_patch *
 }
 
 /* What a trim does, in a few words. */
-static void describe(const kg_trim_op *op, char *out, size_t size) {
+static void describe(const kg_model *m, const kg_trim_op *op, char *out, size_t size) {
     if (op->kind == KG_TRIM_CONTOUR) {
         snprintf(out, size, op->outside ? _("hole, %zu corners") : _("contour, %zu corners"),
                  op->contour_count);
         return;
     }
     int n = snprintf(out, size, "%s", op->kind == KG_TRIM_INSIDE ? _("inside") : _("by"));
-    for (size_t i = 0; i < op->by_count && n > 0 && (size_t)n < size; i++)
-        n += snprintf(out + n, size - (size_t)n, " %lld", (long long)op->by[i]);
+    for (size_t i = 0; i < op->by_count && n > 0 && (size_t)n < size; i++) {
+        const kg_model_patch *cutter = kg_model_find(m, op->by[i]);
+        bool named = cutter && cutter->name[0];
+        n += snprintf(out + n, size - (size_t)n, "%s %lld%s%s", i > 0 ? "," : "",
+                      (long long)op->by[i], named ? " " : "", named ? cutter->name : "");
+    }
 }
 
 static void show_trim(kg_editor *e, const kg_model_patch *p, size_t index) {
@@ -124,20 +128,24 @@ static void show_trim(kg_editor *e, const kg_model_patch *p, size_t index) {
     kg_ui_id_push((int64_t)index);
     kg_ui_table_row();
     kg_ui_table_next();
-    describe(op, text, sizeof text);
+    describe(kg_editor_model(e), op, text, sizeof text);
     if (kg_ui_check(text, &on))
         change = json_pack("{s:I,s:I,s:b}", "patch", id, "trim", n, "off", !on);
     kg_ui_tooltip(_("Switched off, a trim stays in the list but cuts nothing."));
     kg_ui_table_next();
-    if (!is_contour && kg_ui_icon_button("bounded", KG_ICON_CONTOUR, bounded, 0))
-        change = json_pack("{s:I,s:I,s:b}", "patch", id, "trim", n, "bounded", !bounded);
-    kg_ui_tooltip(_("Cut only with what is left of the cutters, not with their whole rectangles"));
+    if (!is_contour) {
+        if (kg_ui_icon_button("bounded", KG_ICON_CONTOUR, bounded, 0))
+            change = json_pack("{s:I,s:I,s:b}", "patch", id, "trim", n, "bounded", !bounded);
+        kg_ui_tooltip(
+            _("Cut only with what is left of the cutters, not with their whole rectangles"));
+    }
     kg_ui_table_next();
     kg_ui_disabled_begin(index == 0);
     if (kg_ui_icon_button("earlier", KG_ICON_UP, false, 0)) {
         command = "trim.move";
         change = json_pack("{s:I,s:I,s:I}", "patch", id, "trim", n, "to", n - 1);
     }
+    kg_ui_tooltip(_("Trim earlier"));
     kg_ui_disabled_end();
     kg_ui_table_next();
     kg_ui_disabled_begin(index + 1 == count);
@@ -145,6 +153,7 @@ static void show_trim(kg_editor *e, const kg_model_patch *p, size_t index) {
         command = "trim.move";
         change = json_pack("{s:I,s:I,s:I}", "patch", id, "trim", n, "to", n + 1);
     }
+    kg_ui_tooltip(_("Trim later"));
     kg_ui_disabled_end();
     kg_ui_table_next();
     if (kg_ui_icon_button("remove trim", KG_ICON_REMOVE, false, 0)) {
@@ -233,8 +242,7 @@ static void show_issues(kg_editor *e, int64_t patch) {
         if (issue->patch != patch)
             continue;
         kg_ui_space();
-        kg_ui_text_color(issue->severity == KG_FAULT ? (kg_color){0.95F, 0.35F, 0.25F, 1}
-                                                     : (kg_color){0.9F, 0.65F, 0.15F, 1},
+        kg_ui_text_color(kg_panel_severity_color(e, issue->severity),
                          issue->severity == KG_FAULT ? _("Fault") : _("Warning"));
         describe_issue(issue, kg_solution_find(s, patch), text, sizeof text);
         kg_ui_text_wrapped(text);
@@ -285,6 +293,7 @@ static void show_reference(kg_editor *e) {
         run(e, "reference.set", json_pack("{s:s}", "up", up_y ? "y" : "z"));
     kg_ui_width(150);
     result = kg_ui_number(_("longest side"), &size, 1, 0, 1e5, "%.1f mm");
+    kg_ui_tooltip(_("0: as large as the mesh is in its file"));
     if (follow(e, result, N_("Reference size")))
         kg_editor_model(e)->reference.size_mm = size;
     if (result & KG_FIELD_ENDED) {
@@ -304,10 +313,14 @@ static void show_view(kg_editor *e) {
     kg_ui_tooltip(_("How far new control points lie off the reference."));
     kg_ui_width(150);
     kg_ui_number(_("step with Ctrl"), &e->settings.step, 0.1, 0.01, 100, "%.2f mm");
+    kg_ui_tooltip(_("With Ctrl, what is dragged moves by whole steps of this."));
     int plane = e->mirror_normal.x != 0 ? 0 : e->mirror_normal.y != 0 ? 1 : 2;
     kg_ui_width(150);
     if (kg_ui_choice(_("mirror across"), planes, 3, &plane))
         e->mirror_normal = kg_v3(plane == 0, plane == 1, plane == 2);
+    kg_ui_width(150);
+    kg_ui_number(_("mirror at"), &e->mirror_place, 0.5, -1e5, 1e5, "%.2f mm");
+    kg_ui_tooltip(_("Where the plane of the mirror meets its axis."));
 }
 
 void kg_panel_properties(kg_app *app, kg_area area) {

@@ -27,6 +27,11 @@ static const char *cut(const char *text, double room, char *out, size_t size) {
     return out;
 }
 
+kg_color kg_panel_severity_color(const kg_editor *e, kg_severity severity) {
+    const struct shades *shade = &shades[e->settings.theme];
+    return severity == KG_FAULT ? shade->fault : shade->warning;
+}
+
 void kg_panel_status(kg_app *app, kg_area area) {
     const kg_editor *e = &app->editor;
     const struct shades *shade = &shades[e->settings.theme];

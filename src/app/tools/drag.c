@@ -16,6 +16,13 @@ double kg_round_to_step(const kg_editor *e, double x) {
     return e->settings.step > 0 ? round(x / e->settings.step) * e->settings.step : x;
 }
 
+/* Takes a movement of the pointer in: with Shift, a tenth of it. Nothing jumps when Shift comes or
+ * goes. */
+static void follow(kg_vec2 *aim, kg_vec2 *last, kg_vec2 px, unsigned mods) {
+    *aim = kg_add2(*aim, kg_scale2(kg_sub2(px, *last), mods & KG_MOD_SHIFT ? FINE : 1));
+    *last = px;
+}
+
 /* ---- points ----------------------------------------------------------------------------- */
 
 kg_status kg_point_drag_start(kg_point_drag *d, kg_editor *e, kg_point_ref held, kg_vec2 px,
@@ -25,9 +32,8 @@ kg_status kg_point_drag_start(kg_point_drag *d, kg_editor *e, kg_point_ref held,
         return status;
     const kg_model_patch *p = kg_model_find(kg_editor_model(e), held.patch);
     kg_mesh_hit hit;
-    *d = (kg_point_drag){.held = held, .start = p->input.points[held.index], .pressed = px};
-    d->from = d->start;
-    d->from_px = px;
+    *d = (kg_point_drag){.held = held, .start = p->input.points[held.index], .axis = -1};
+    d->pressed = d->aim = d->last = px;
     if (e->backdrop.query && kg_editor_model(e)->reference.visible &&
         kg_mesh_query_closest(e->backdrop.query, d->start, &hit)) {
         d->on_surface = kg_len(hit.normal) > 0;
@@ -52,6 +58,15 @@ static bool slide(const kg_point_drag *d, const kg_editor *e, kg_vec2 px, kg_vec
     return true;
 }
 
+static kg_vec3 along_axis(const kg_point_drag *d, const kg_editor *e, kg_vec2 px) {
+    kg_vec3 axis = kg_v3(d->axis == 0, d->axis == 1, d->axis == 2);
+    double from, to;
+    return kg_pane_along_axis(&e->pane, d->pressed, d->start, axis, &from) &&
+                   kg_pane_along_axis(&e->pane, px, d->start, axis, &to)
+               ? kg_madd(d->start, to - from, axis)
+               : d->start;
+}
+
 static kg_vec3 rounded(const kg_editor *e, kg_vec3 by) {
     return kg_v3(kg_round_to_step(e, by.x), kg_round_to_step(e, by.y), kg_round_to_step(e, by.z));
 }
@@ -59,17 +74,13 @@ static kg_vec3 rounded(const kg_editor *e, kg_vec3 by) {
 void kg_point_drag_move(kg_point_drag *d, kg_editor *e, kg_vec2 px, unsigned mods) {
     kg_model *m = kg_editor_model(e);
     kg_vec3 to;
-    kg_vec2 aim = px;
-    if ((mods ^ d->mods) & KG_MOD_SHIFT) { /* fine movements start where the point is now */
-        d->from = kg_model_find(m, d->held.patch)->input.points[d->held.index];
-        d->from_px = px;
-    }
+    follow(&d->aim, &d->last, px, mods);
     d->mods = mods;
-    if (mods & KG_MOD_SHIFT)
-        aim = kg_lerp2(d->from_px, px, FINE);
-    if (mods & KG_MOD_ALT || !slide(d, e, aim, &to)) {
+    if (d->axis >= 0) {
+        to = along_axis(d, e, d->aim);
+    } else if (mods & KG_MOD_ALT || !slide(d, e, d->aim, &to)) {
         kg_vec3 a = kg_pane_on_screen_plane(&e->pane, d->pressed, d->start);
-        to = kg_add(d->start, kg_sub(kg_pane_on_screen_plane(&e->pane, aim, d->start), a));
+        to = kg_add(d->start, kg_sub(kg_pane_on_screen_plane(&e->pane, d->aim, d->start), a));
     }
     kg_vec3 by = kg_sub(to, d->start);
     if (!e->before) /* something else ended the step */
@@ -89,6 +100,22 @@ void kg_point_drag_move(kg_point_drag *d, kg_editor *e, kg_vec2 px, unsigned mod
             p->input.points[r.index] = moved;
     }
     kg_editor_touch(e);
+}
+
+void kg_point_drag_lock(kg_point_drag *d, kg_editor *e, int axis) {
+    d->axis = d->axis == axis ? -1 : axis;
+    kg_point_drag_move(d, e, e->pointer, d->mods);
+}
+
+void kg_axis_draw(const kg_editor *e, kg_vec3 through, int axis, kg_overlay *overlay) {
+    static const kg_color colors[] = {
+        {0.84F, 0.30F, 0.28F, 1}, {0.35F, 0.66F, 0.30F, 1}, {0.28F, 0.52F, 0.88F, 1}};
+    kg_vec3 along = kg_v3(axis == 0, axis == 1, axis == 2);
+    double far = 20 * e->pane.camera.distance;
+    kg_vec3 line[2] = {kg_madd(through, -far, along), kg_madd(through, far, along)};
+    kg_style style = kg_style_default(colors[axis]);
+    style.hidden = 0.5F;
+    kg_overlay_line(overlay, line, 2, style);
 }
 
 /* ---- extents ---------------------------------------------------------------------------- */
@@ -130,7 +157,7 @@ bool kg_extent_drag_start(kg_extent_drag *d, kg_editor *e, kg_vec2 px) {
         !kg_pane_project(&e->pane, kg_add(edge, kg_patch_ruling(&s->patch, 0.5).d), &b) ||
         kg_editor_begin(e, N_("Extent"), NULL))
         return false;
-    *d = (kg_extent_drag){s->id, side, px, s->patch.extent[side], kg_sub2(b, a)};
+    *d = (kg_extent_drag){s->id, side, px, px, px, s->patch.extent[side], kg_sub2(b, a)};
     return true;
 }
 
@@ -139,10 +166,8 @@ void kg_extent_drag_move(kg_extent_drag *d, kg_editor *e, kg_vec2 px, unsigned m
     double square = kg_dot2(d->along, d->along);
     if (!p || square < 1e-6) /* the ruling is seen end-on */
         return;
-    double by = kg_dot2(kg_sub2(px, d->pressed), d->along) / square;
-    if (mods & KG_MOD_SHIFT)
-        by *= FINE;
-    double to = d->start + by;
+    follow(&d->aim, &d->last, px, mods);
+    double to = d->start + kg_dot2(kg_sub2(d->aim, d->pressed), d->along) / square;
     if (mods & KG_MOD_CTRL)
         to = kg_round_to_step(e, to);
     double other = p->input.extent[1 - d->side], least = 0.01;

@@ -111,7 +111,13 @@ static bool on_event(kg_editor *e, const kg_event *event) {
     }
 }
 
-static void draw_piece(const kg_tessellation *piece, kg_color color, kg_overlay *o) {
+/* A little before the patch, of the distance to the eye: both have the same depth. */
+#define IN_FRONT 2e-3
+
+static void draw_piece(const kg_tessellation *piece, const kg_camera *camera, kg_color color,
+                       kg_overlay *o) {
+    kg_vec3 right, up, back;
+    kg_camera_axes(camera, &right, &up, &back);
     kg_surface s = {.vertex_count = piece->vertex_count,
                     .triangle_count = piece->triangle_count,
                     .triangles = piece->triangles};
@@ -120,7 +126,7 @@ static void draw_piece(const kg_tessellation *piece, kg_color color, kg_overlay 
     s.positions = calloc(piece->vertex_count + 1, sizeof *s.positions);
     s.normals = calloc(piece->vertex_count + 1, sizeof *s.normals);
     for (size_t i = 0; s.positions && s.normals && i < piece->vertex_count; i++) {
-        s.positions[i] = piece->vertices[i].position;
+        s.positions[i] = kg_madd(piece->vertices[i].position, IN_FRONT * camera->distance, back);
         s.normals[i] = piece->vertices[i].normal;
     }
     if (s.positions && s.normals)
@@ -134,7 +140,8 @@ static void draw(const kg_editor *e, kg_overlay *overlay) {
     const kg_patch_surface *surface = kg_surfaces_find(&e->surfaces, s->patch);
     const kg_trim_op *op = last_trim(e, s->patch);
     if (surface && s->under.patch && s->under.piece < surface->piece_count)
-        draw_piece(&surface->pieces[s->under.piece], (kg_color){1, 0.85F, 0.2F, 1}, overlay);
+        draw_piece(&surface->pieces[s->under.piece], &e->pane.camera, (kg_color){1, 0.85F, 0.2F, 1},
+                   overlay);
     if (op) {
         kg_style dot = kg_style_default((kg_color){1, 1, 1, 1});
         dot.size_px = 10;

@@ -202,6 +202,10 @@ static bool on_event(kg_editor *e, const kg_event *event) {
         release(e, s, event);
         return true;
     case KG_EVENT_KEY:
+        if (s->gesture == DRAGGING_POINTS && event->key >= 'X' && event->key <= 'Z') {
+            kg_point_drag_lock(&s->drag, e, event->key - 'X');
+            return true;
+        }
         if (event->key == KG_KEY_BACKSPACE && s->gesture == IDLE &&
             kg_corner_under(e, e->pointer).patch) {
             kg_corner_remove(e, kg_corner_under(e, e->pointer));
@@ -230,6 +234,8 @@ static void draw(const kg_editor *e, kg_overlay *overlay) {
     kg_corners_draw(e, overlay);
     if (!s)
         return;
+    if (s->gesture == DRAGGING_POINTS && s->drag.axis >= 0)
+        kg_axis_draw(e, s->drag.start, s->drag.axis, overlay);
     if (s->gesture == DRAGGING_POINTS || s->gesture == DRAGGING_EXTENT)
         kg_legal_band_draw(e, overlay);
     kg_cutter_preview_draw(&s->cutters, e, next_cutter(e, s), overlay);
@@ -247,9 +253,13 @@ bool kg_select_box_now(const kg_editor *e, kg_vec2 *out_from) {
 
 static const char *hint_now(const kg_editor *e) {
     const state *s = e->tool_state;
+    if (s && s->gesture == DRAGGING_POINTS && s->drag.on_surface && s->drag.axis < 0)
+        return _("The point slides on the reference   Alt: screen plane   X/Y/Z: axis   Ctrl: "
+                 "steps   Shift: fine   Esc: back");
     if (s && s->gesture == DRAGGING_POINTS)
-        return _("The point slides on the reference   Alt: screen plane   Ctrl: steps   Shift: "
-                 "fine   Esc: back");
+        return _("X/Y/Z: axis   Ctrl: steps   Shift: fine   Esc: back");
+    if (s && s->gesture == DRAGGING_EXTENT)
+        return _("Pink lines: no farther   Ctrl: steps   Shift: fine   Esc: back");
     if (s && s->gesture == BOXING)
         return kg_box_touches(s->pressed, e->pointer)
                    ? _("Selects what the box touches   Drawn to the right: what lies wholly in it")

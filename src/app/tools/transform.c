@@ -77,19 +77,6 @@ static bool typed_number(const state *s, double *out) {
     return end != s->typed && isfinite(*out);
 }
 
-/* The movement of the pointer along an axis, by the nearest points of the axis and the line of
- * sight; false where the axis is seen end-on. */
-static bool along_axis(const kg_editor *e, kg_vec2 px, kg_vec3 center, kg_vec3 axis, double *out) {
-    kg_vec3 o, d;
-    kg_pane_ray(&e->pane, px, &o, &d);
-    kg_vec3 w = kg_sub(o, center);
-    double b = kg_dot(axis, d), den = 1 - b * b;
-    if (den < 1e-4)
-        return false;
-    *out = (kg_dot(w, axis) - b * kg_dot(w, d)) / den;
-    return isfinite(*out);
-}
-
 static kg_vec3 move_by(const kg_editor *e, const state *s) {
     double from, to, number;
     kg_vec3 by = {0, 0, 0}, a, b;
@@ -99,8 +86,8 @@ static kg_vec3 move_by(const kg_editor *e, const state *s) {
         return kg_v3(number, 0, 0);
     if (s->axis >= 0 && !s->plane) {
         kg_vec3 axis = axis_of(s->axis);
-        if (along_axis(e, s->pressed, s->center, axis, &from) &&
-            along_axis(e, s->aim, s->center, axis, &to))
+        if (kg_pane_along_axis(&e->pane, s->pressed, s->center, axis, &from) &&
+            kg_pane_along_axis(&e->pane, s->aim, s->center, axis, &to))
             by = kg_scale(axis, to - from);
     } else if (s->axis >= 0) {
         if (kg_pane_on_plane(&e->pane, s->pressed, s->center, axis_of(s->axis), &a) &&
@@ -224,7 +211,10 @@ static bool on_key(kg_editor *e, state *s, const kg_event *event) {
         kg_editor_use_default(e);
         return true;
     }
-    if (event->key >= 'X' && event->key <= 'Z' && !(event->mods & (KG_MOD_CTRL | KG_MOD_ALT))) {
+    /* scaled in one direction, paper would not stay paper */
+    bool axes = s->kind != KG_TRANSFORM_SCALE;
+    if (axes && event->key >= 'X' && event->key <= 'Z' &&
+        !(event->mods & (KG_MOD_CTRL | KG_MOD_ALT))) {
         int axis = event->key - 'X';
         bool plane = event->mods & KG_MOD_SHIFT;
         bool same = s->axis == axis && s->plane == plane;
@@ -272,19 +262,10 @@ static bool on_event(kg_editor *e, const kg_event *event) {
 }
 
 static void draw(const kg_editor *e, kg_overlay *overlay) {
-    static const kg_color colors[] = {
-        {0.84F, 0.30F, 0.28F, 1}, {0.35F, 0.66F, 0.30F, 1}, {0.28F, 0.52F, 0.88F, 1}};
     const state *s = e->tool_state;
-    for (int i = 0; i < 3; i++) {
-        if (s->axis < 0 || (i == s->axis) == s->plane)
-            continue;
-        double far = 20 * e->pane.camera.distance;
-        kg_vec3 line[2] = {kg_madd(s->center, -far, axis_of(i)),
-                           kg_madd(s->center, far, axis_of(i))};
-        kg_style style = kg_style_default(colors[i]);
-        style.hidden = 0.5F;
-        kg_overlay_line(overlay, line, 2, style);
-    }
+    for (int i = 0; i < 3; i++)
+        if (s->axis >= 0 && (i == s->axis) != s->plane)
+            kg_axis_draw(e, s->center, i, overlay);
     kg_legal_band_draw(e, overlay);
 }
 
@@ -303,8 +284,10 @@ static const char *hint_now(const kg_editor *e) {
     else
         snprintf(value, sizeof value, "%s°", s->typed[0] ? s->typed : "…");
     snprintf(s->hint, sizeof s->hint,
-             _("%s %s   X/Y/Z: axis   numbers: exactly   Enter or click: done   Esc: back"), what,
-             value);
+             s->kind == KG_TRANSFORM_SCALE
+                 ? _("%s %s   numbers: exactly   Ctrl: steps   Enter or click: done   Esc: back")
+                 : _("%s %s   X/Y/Z: axis   numbers: exactly   Enter or click: done   Esc: back"),
+             what, value);
     return s->hint;
 }
 

@@ -3,6 +3,8 @@
 #include "app/ui/icons.h"
 
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 
 using namespace kg;
 
@@ -179,6 +181,11 @@ void kg_ui_tooltip(const char *text) {
 
 unsigned kg_ui_number(const char *label, double *value, double speed, double lo, double hi,
                       const char *format) {
+    char text[64];
+    snprintf(text, sizeof text, format, *value);
+    if (*value < 0 &&
+        std::strpbrk(text, "123456789") == nullptr) /* "-0.00"; a caller keeps its own */
+        *value = 0;
     bool changed = ImGui::DragScalar(see(label), ImGuiDataType_Double, value, (float)speed, &lo,
                                      &hi, format, ImGuiSliderFlags_AlwaysClamp);
     return shown(label, field_result(changed));
