@@ -63,10 +63,11 @@ static void history_items(kg_editor *e) {
 }
 
 double kg_panel_menu(kg_app *app) {
-    static const char start[] = "file.new file.new_card file.new_sheets file.card_from_mesh - file.open";
-    static const char file[] =
-        "file.save file.save_as - reference.set - file.export_net file.export_mesh file.export_guide - "
-        "file.quit";
+    static const char start[] =
+        "file.new file.new_card file.new_sheets file.card_from_mesh - file.open";
+    static const char file[] = "file.save file.save_as - reference.set - file.export_net "
+                               "file.export_mesh file.export_guide - "
+                               "file.quit";
     static const char edit[] =
         "select.all select.none select.level - patch.duplicate patch.mirror patch.delete "
         "- edit.settings";
