@@ -25,8 +25,8 @@ def screen():
     if not (shutil.which("Xvfb") and shutil.which("xdotool")):
         raise script.Skip("Xvfb or xdotool is missing")
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1300x900x24"],
-                              pass_fds=[write], stderr=subprocess.DEVNULL)
+    server = subprocess.Popen(["Xvfb", "-noreset", "-displayfd", str(write), "-screen", "0",
+                               "1300x900x24"], pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
     try:
         number = os.read(read, 16).decode().strip()

@@ -1,6 +1,7 @@
 #include "app/ui/state.hpp"
 
 #include "app/ui/icons.h"
+#include "app/ui/wrap.h"
 
 #include <cmath>
 #include <cstdio>
@@ -103,8 +104,16 @@ void kg_ui_text_dim(const char *text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", see(text));
 }
+static double width_between(const char *begin, const char *end) {
+    return ImGui::CalcTextSize(begin, end).x;
+}
+static void text_in_lines(const char *text, double width) {
+    char lines[2048];
+    kg_ui_wrap(see(text), width, width_between, lines, sizeof lines);
+    ImGui::TextUnformatted(lines);
+}
 void kg_ui_text_wrapped(const char *text) {
-    ImGui::TextWrapped("%s", see(text));
+    text_in_lines(text, ImGui::GetContentRegionAvail().x);
 }
 void kg_ui_text_color(kg_color color, const char *text) {
     ImGui::AlignTextToFramePadding();
@@ -172,9 +181,7 @@ void kg_ui_progress(double fraction, const char *text) {
 void kg_ui_tooltip(const char *text) {
     if (text && *text && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
         ImGui::BeginTooltip();
-        ImGui::PushTextWrapPos(px(300));
-        ImGui::TextUnformatted(see(text));
-        ImGui::PopTextWrapPos();
+        text_in_lines(text, px(300));
         ImGui::EndTooltip();
     }
 }
