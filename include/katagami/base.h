@@ -30,6 +30,9 @@ extern "C" {
 /* Coordinates beyond this (mm) are refused: farther out doubles no longer hold 1e-9 mm. */
 #define KG_MAX_COORDINATE 1e6
 
+/* Half a turn, in radians. */
+#define KG_PI 3.14159265358979323846
+
 typedef enum kg_status {
     KG_OK = 0,
     KG_ERR_MEMORY,    /* an allocation failed */

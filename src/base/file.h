@@ -23,4 +23,10 @@ kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *er
 kg_status kg_file_commit(const char *temporary, const char *path, kg_error *error) KG_CHECKED;
 void kg_file_discard(const char *temporary);
 
+/* Does a path end in `ending` (".fold"), in capitals or not? */
+bool kg_file_ends_in(const char *path, const char *ending);
+/* The last name of a path without its ending: "cat" of "models/cat.obj"; free() it. NULL when
+ * memory runs out. */
+char *kg_file_stem(const char *path);
+
 #endif

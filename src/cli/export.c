@@ -1,4 +1,5 @@
 /* katagami export: the model's surface as a mesh file. */
+#include "base/color.h"
 #include "cli/card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -13,13 +14,10 @@ static const kg_option options[] = {
     {"tolerance", 0, true, "MM", "greatest chord error of the mesh (0.02)"},
 };
 
-static float linear(float x) {
-    return x <= 0.04045F ? x / 12.92F : powf((x + 0.055F) / 1.055F, 2.4F);
-}
-
 static void patch_color(size_t group, float out_rgba[4]) {
     kg_color c = kg_palette(group);
-    out_rgba[0] = linear(c.r), out_rgba[1] = linear(c.g), out_rgba[2] = linear(c.b);
+    out_rgba[0] = kg_linear_of_srgb(c.r), out_rgba[1] = kg_linear_of_srgb(c.g),
+    out_rgba[2] = kg_linear_of_srgb(c.b);
     out_rgba[3] = 1;
 }
 
@@ -45,7 +43,7 @@ int kg_command_export(int argc, char **argv) {
     if (!status && step >= 0)
         status = kg_document_set_step(document, (size_t)step, &error);
     if (!status) {
-        kg_document_set_open(document, open_deg * acos(-1.0) / 180);
+        kg_document_set_open(document, open_deg * KG_PI / 180);
         kg_card_warn(document, "export");
         status = kg_document_export(document, path, patch_color, &error);
     }

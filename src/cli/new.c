@@ -1,4 +1,5 @@
 /* katagami new: an empty patch model over a reference mesh, an empty card, or a sheet to fold. */
+#include "base/file.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/document.h"
@@ -18,12 +19,6 @@ static const kg_option options[] = {
     {"title", 0, true, "TEXT", "title of the model (the mesh's name)"},
 };
 
-static char *title_of(const char *path) {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    const char *dot = strrchr(name, '.');
-    return strndup(name, dot ? (size_t)(dot - name) : strlen(name));
-}
-
 static kg_status write_new(const kg_arguments *a, const char *output, const char *reference,
                            double size, bool up_y, kg_error *error) {
     kg_mesh *mesh = NULL;
@@ -33,7 +28,7 @@ static kg_status write_new(const kg_arguments *a, const char *output, const char
     kg_mesh_destroy(mesh);                                    /* is told of at once */
     if (!status && model) {
         free(model->title);
-        model->title = title ? strdup(title) : title_of(reference);
+        model->title = title ? strdup(title) : kg_file_stem(reference);
         model->reference.file = kg_document_relative(output, reference);
         model->reference.size_mm = size;
         model->reference.up_y = up_y;

@@ -1,4 +1,5 @@
 /* katagami oa: a pop-up card of a mesh. */
+#include "base/file.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/document.h"
@@ -74,12 +75,6 @@ static int read_options(const kg_arguments *a, kg_oa_options *out) {
     return -1;
 }
 
-static char *title_of(const char *path) {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    const char *dot = strrchr(name, '.');
-    return strndup(name, dot ? (size_t)(dot - name) : strlen(name));
-}
-
 static bool tell(void *user, double fraction, const char *what) {
     (void)user;
     fprintf(stderr, "\r%s %3.0f %%", what, 100 * fraction);
@@ -101,7 +96,7 @@ static kg_status convert(const kg_arguments *a, const kg_oa_options *wanted, con
         fputc('\n', stderr);
     if (!status) {
         free(oa->title);
-        oa->title = title ? strdup(title) : title_of(a->words[0]);
+        oa->title = title ? strdup(title) : kg_file_stem(a->words[0]);
         status = oa->title ? kg_oa_write(oa, output, error)
                            : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }

@@ -248,7 +248,7 @@ int kg_command_render(int argc, char **argv) {
         status = kg_document_set_step(document, (size_t)wanted.step, &error);
     if (!status) {
         kg_document_set_fraction(document, wanted.fraction);
-        kg_document_set_open(document, wanted.open_deg * acos(-1.0) / 180);
+        kg_document_set_open(document, wanted.open_deg * KG_PI / 180);
         kg_card_warn(document, "render");
         status = draw(document, &wanted, path, &error);
     }

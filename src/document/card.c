@@ -17,7 +17,7 @@ kg_card *kg_card_create(kg_oa *oa) {
         return NULL;
     }
     card->oa = oa;
-    card->open = acos(0.0);
+    card->open = KG_PI / 2;
     return card;
 }
 

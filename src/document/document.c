@@ -8,7 +8,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 kg_status kg_document_from_model(kg_model *model, const char *path, kg_document **out_document,
                                  kg_error *error) {
@@ -60,11 +59,6 @@ kg_status kg_document_from_origami(kg_origami *origami, const char *path,
     return KG_OK;
 }
 
-static bool ends_in(const char *path, const char *ending) {
-    size_t n = strlen(path), m = strlen(ending);
-    return n >= m && strcasecmp(path + n - m, ending) == 0;
-}
-
 static kg_status read_pattern(const char *path, kg_document **out_document, kg_error *error) {
     kg_origami *origami;
     kg_layer_report report = kg_layer_report_default();
@@ -113,7 +107,7 @@ kg_status kg_document_read(const char *path, kg_document **out_document, kg_erro
     const char *name = strcmp(path, "-") ? path : "standard input";
     char *data;
     size_t size;
-    if (ends_in(path, ".fold") || ends_in(path, ".cp"))
+    if (kg_file_ends_in(path, ".fold") || kg_file_ends_in(path, ".cp"))
         return read_pattern(path, out_document, error);
     kg_status status = kg_file_read(path, &data, &size, error);
     if (status)

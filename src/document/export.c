@@ -5,12 +5,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-
-static bool ends_in(const char *path, const char *ending) {
-    size_t n = strlen(path), m = strlen(ending);
-    return n >= m && strcasecmp(path + n - m, ending) == 0;
-}
 
 static kg_status export_fold(const kg_document *d, const char *path, kg_error *error) {
     char *text;
@@ -62,7 +56,7 @@ kg_status kg_document_export(const kg_document *d, const char *path, kg_group_co
                              kg_error *error) {
     kg_mesh_format format;
     kg_mesh *mesh;
-    if (ends_in(path, ".fold") || (d->folded && ends_in(path, ".cp")))
+    if (kg_file_ends_in(path, ".fold") || (d->folded && kg_file_ends_in(path, ".cp")))
         return export_fold(d, path, error);
     kg_status status = kg_mesh_format_of(path, &format, error);
     if (status)

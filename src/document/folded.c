@@ -1,5 +1,6 @@
 #include "document/folded.h"
 
+#include "base/color.h"
 #include "document/folding.h"
 
 #include <stdio.h>
@@ -8,8 +9,6 @@
 
 /* Of the drawn folded, over the size of the sheets: as thin as can be seen apart. */
 #define THICKNESS 0.003
-
-static const double PI = 3.141592653589793;
 
 kg_folded *kg_folded_create(kg_origami *origami) {
     kg_folded *folded = calloc(1, sizeof *folded);
@@ -41,8 +40,7 @@ kg_status kg_folded_net(const kg_folded *folded, kg_document_net *out_net, kg_er
 /* ---- mesh ------------------------------------------------------------------------------- */
 
 static float linear(uint32_t colour, int shift) {
-    float x = (float)(colour >> shift & 0xff) / 255.0F;
-    return x <= 0.04045F ? x / 12.92F : powf((x + 0.055F) / 1.055F, 2.4F);
+    return kg_linear_of_srgb((float)(colour >> shift & 0xff) / 255.0F);
 }
 
 static kg_status add_group(kg_mesh *mesh, int32_t sheet, size_t first, uint32_t colour) {
@@ -166,7 +164,7 @@ kg_status kg_folded_mesh(const kg_folded *folded, kg_mesh **out_mesh, kg_error *
 #define REST_TIME 0.5
 
 static size_t key_count(double angle) {
-    return (size_t)ceil(fabs(angle) * 180 / PI / KG_FOLDING_KEY_DEG - 1e-9);
+    return (size_t)ceil(fabs(angle) * 180 / KG_PI / KG_FOLDING_KEY_DEG - 1e-9);
 }
 
 /* Corners as the mesh has them: loops in the order of their sheets. */
@@ -193,7 +191,7 @@ static void add_keys(kg_mesh_motion *m, size_t folds, size_t index, const kg_tur
             for (int i = 0; i < 3; i++)
                 weights[3 * fold + (size_t)i] = now[i] - end[i];
         }
-        m->times[(*key)++] = *time + fraction * TURN_TIME * fabs(turnings[index].angle) / PI;
+        m->times[(*key)++] = *time + fraction * TURN_TIME * fabs(turnings[index].angle) / KG_PI;
     }
     *time = m->times[*key - 1] + REST_TIME;
 }

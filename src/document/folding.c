@@ -4,8 +4,6 @@
 
 #include <stdlib.h>
 
-static const double PI = 3.141592653589793;
-
 static kg_vec2 paper_at(const kg_origami_state *s, int32_t half) {
     return s->vertices.items[s->halves.items[half].origin].paper;
 }
@@ -92,10 +90,10 @@ static bool moves(const kg_vec3 *from, const kg_vec3 *to, size_t first, size_t e
 
 static void turn(kg_turning *t, const kg_fold_axis *axis, size_t first, size_t end) {
     for (size_t i = first; i < end; i++) {
-        kg_vec3 opposite = kg_fold_turn(axis, t->start[i], PI);
+        kg_vec3 opposite = kg_fold_turn(axis, t->start[i], KG_PI);
         kg_vec3 foot = kg_lerp(t->start[i], opposite, 0.5);
         t->radius[i] = kg_sub(t->start[i], foot);
-        t->across[i] = kg_sub(kg_fold_turn(axis, t->start[i], PI / 2), foot);
+        t->across[i] = kg_sub(kg_fold_turn(axis, t->start[i], KG_PI / 2), foot);
     }
 }
 

@@ -26,8 +26,7 @@ static bool read_pin(const json_t *v, pin *out) {
                     "piece", &piece, "page", &page, "x", &x, "y", &y, "angle_deg", &angle) ||
         piece < 0)
         return false;
-    *out =
-        (pin){patch, (size_t)piece, {page, remainder(angle, 360) * acos(-1.0) / 180, kg_v2(x, y)}};
+    *out = (pin){patch, (size_t)piece, {page, remainder(angle, 360) * KG_PI / 180, kg_v2(x, y)}};
     return is_place(out->place);
 }
 
@@ -83,7 +82,7 @@ kg_status kg_pin_set(kg_model *model, int64_t patch, size_t piece, kg_net_placem
     json_t *list = list_without(model, patch, piece);
     json_t *v = json_pack("{s:I, s:I, s:i, s:f, s:f, s:f}", "patch", (json_int_t)patch, "piece",
                           (json_int_t)piece, "page", place.page, "x", place.offset.x, "y",
-                          place.offset.y, "angle_deg", place.angle * 180 / acos(-1.0));
+                          place.offset.y, "angle_deg", place.angle * 180 / KG_PI);
     if (!list || !v || json_array_append(list, v)) {
         json_decref(v);
         json_decref(list);

@@ -14,8 +14,6 @@ static const double POINT = 72 / 25.4; /* points in a millimetre */
 /* Pango lays out in pixels that it may round glyph positions to: a fine grid of them, mm. */
 #define GRID 0.02
 
-#define PI 3.14159265358979323846
-
 /* A font map of its own, so that nothing is left in Pango's for the thread. */
 typedef struct texts {
     PangoFontMap *map;
@@ -261,8 +259,8 @@ static void badge_number(kg_book *paper, double x, double y, int number, uint32_
 void kg_book_join_badge(kg_book *paper, double x, double y, int number) {
     kg_vec2 half = kg_book_badge_half(number);
     cairo_new_path(paper->cr);
-    cairo_arc(paper->cr, x - half.x + half.y, y, half.y, PI / 2, 3 * PI / 2);
-    cairo_arc(paper->cr, x + half.x - half.y, y, half.y, -PI / 2, PI / 2);
+    cairo_arc(paper->cr, x - half.x + half.y, y, half.y, KG_PI / 2, 3 * KG_PI / 2);
+    cairo_arc(paper->cr, x + half.x - half.y, y, half.y, -KG_PI / 2, KG_PI / 2);
     cairo_close_path(paper->cr);
     kg_book_colour(paper, 0xffffff);
     cairo_fill_preserve(paper->cr);

@@ -1,7 +1,5 @@
 #include "guide/callout.h"
 
-#define PI 3.14159265358979323846
-
 /* Arrows shorter than this, mm, say nothing. */
 #define LEAST_ARROW 3.0
 
@@ -74,7 +72,7 @@ static void draw_arrow(kg_book *paper, kg_vec2 from, kg_vec2 to) {
 static kg_vec2 step_aside(callouts *c, kg_vec2 centre, kg_vec2 half) {
     enum { RINGS = 6, DIRECTIONS = 12 };
     for (int i = 0; i < RINGS * DIRECTIONS; i++) {
-        double radius = 2 * half.y + 3.0 * (i / DIRECTIONS), angle = 2 * PI * i / DIRECTIONS;
+        double radius = 2 * half.y + 3.0 * (i / DIRECTIONS), angle = 2 * KG_PI * i / DIRECTIONS;
         kg_vec2 place = kg_add2(centre, kg_v2(radius * cos(angle), radius * sin(angle)));
         if (!is_clear(c, place, half))
             continue;

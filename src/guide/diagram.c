@@ -16,8 +16,6 @@
 static const double TILT = 0.9;
 static const double directions[] = {-0.6, -1.0, -1.35, -1.8, -2.1, -2.5};
 
-static const double PI = 3.141592653589793;
-
 typedef struct plan {
     kg_moment moment;
     kg_fold_axis axis; /* of a fold */
@@ -82,7 +80,7 @@ static void look_along(kg_diagram *d, kg_vec3 back) {
 }
 
 static bool is_oblique(const plan *p) {
-    return !p->flat || (p->folds && fabs(p->axis.angle) < PI - 1e-9);
+    return !p->flat || (p->folds && fabs(p->axis.angle) < KG_PI - 1e-9);
 }
 
 /* The direction that shows most of the paper. */

@@ -3,8 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 /* Rays start this far from a surface, over the size of what is shown, so that they do not meet it
  * again where they start. */
 #define LIFT 0.003
@@ -176,7 +174,7 @@ void kg_sight_aim(const kg_sight *sight, kg_camera *camera) {
         for (int y = 0; y < YAWS; y++) {
             kg_camera trial = *camera;
             trial.pitch = pitches[p];
-            trial.yaw = camera->yaw + 2 * PI * y / YAWS;
+            trial.yaw = camera->yaw + 2 * KG_PI * y / YAWS;
             kg_camera_axes(&trial, &right, &up, &back);
             double along = kg_dot(move, back);
             double score = 2.5 * area_seen(sight, back) + joins_seen(sight, back) +

@@ -28,13 +28,13 @@ kg_status kg_issues_of_patch(kg_issues *issues, const kg_solved_patch *p) {
             "geodesic there",
             k->wished_extent[side], k->extent[side], k->regression[side], k->regression_v[side]);
     }
-    double flattest = fmin(k->theta[0], acos(-1.0) - k->theta[1]);
+    double flattest = fmin(k->theta[0], KG_PI - k->theta[1]);
     if (!status && flattest < KG_FLAT_RULING)
         status =
             kg_issues_add(issues, KG_WARNING, p->id, "flat-ruling",
                           "at v = %.3g its rulings run at %.2g degrees to the geodesic; bend the "
                           "geodesic more evenly",
-                          k->flattest_v, flattest * 180 / acos(-1.0));
+                          k->flattest_v, flattest * 180 / KG_PI);
     return status;
 }
 

@@ -353,7 +353,7 @@ static void caption_entity(dxf *d, const kg_caption *caption) {
     real(d, 30, 0);
     real(d, 40, caption->capital);
     caption_text(d, caption->text);
-    real(d, 50, -caption->angle * 180 / acos(-1));
+    real(d, 50, -caption->angle * 180 / KG_PI);
     integer(d, 72, 1); /* centred at the second point */
     point(d, 11, base.x, height - base.y);
     real(d, 31, 0);

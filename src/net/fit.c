@@ -218,7 +218,7 @@ static kg_vec2 tangent(const fit *f, size_t i, size_t first, size_t last) {
         return tangent_first(chord(f, i), chord(f, i + 1));
     if (corner && i == last)
         return turned(tangent_first(kg_scale2(chord(f, i - 1), -1), kg_scale2(chord(f, i - 2), -1)),
-                      acos(-1));
+                      KG_PI);
     return tangent_middle(chord(f, before), chord(f, after));
 }
 

@@ -17,8 +17,6 @@
 #define EDGE_DISTANCE 0.5
 #define UNDERLINE_DISTANCE 0.3
 
-#define PI 3.14159265358979323846
-
 typedef struct writer {
     const kg_net *net;
     const kg_net_layout *layout;
@@ -30,10 +28,10 @@ typedef struct writer {
 
 /* Turns by half a circle what would stand on its head. */
 static double upright(double angle) {
-    angle = remainder(angle, 2 * PI);
-    if (angle > PI / 2 + 1e-9)
-        return angle - PI;
-    return angle <= -PI / 2 + 1e-9 ? angle + PI : angle;
+    angle = remainder(angle, 2 * KG_PI);
+    if (angle > KG_PI / 2 + 1e-9)
+        return angle - KG_PI;
+    return angle <= -KG_PI / 2 + 1e-9 ? angle + KG_PI : angle;
 }
 
 static kg_block block_of(const kg_caption *caption, double clearance) {
@@ -112,7 +110,7 @@ static bool place_with_leader(const writer *w, const char *text, kg_vec2 anchor)
     kg_vec2 half = kg_caption_half(&caption);
     for (int ring = 1; ring <= 12; ring++) {
         for (int k = 0; k < 16; k++) {
-            double angle = 2 * PI * k / 16;
+            double angle = 2 * KG_PI * k / 16;
             kg_vec2 way = kg_v2(cos(angle), sin(angle));
             caption.centre = kg_add2(anchor, kg_scale2(way, 2.5 * ring + half.x));
             /* The line ends where it enters the text's box. */
@@ -132,7 +130,7 @@ static bool place_with_leader(const writer *w, const char *text, kg_vec2 anchor)
 
 /* Tries a text at the part's roomiest place, upright, then turned; false when it does not fit. */
 static bool fit_in_part(const writer *w, const char *text, kg_caption *out) {
-    static const double angles[] = {0, -PI / 2, -PI / 4, PI / 4};
+    static const double angles[] = {0, -KG_PI / 2, -KG_PI / 4, KG_PI / 4};
     double best = 0;
     for (size_t k = 0; k < sizeof angles / sizeof *angles; k++) {
         kg_caption caption = caption_new(w, text, PART_CAPITAL);

@@ -77,7 +77,7 @@ static uint64_t next_random(nester *n) {
 
 static void init_turns(nester *n, size_t index) {
     item *it = &n->items[index];
-    const double full = 2 * acos(-1);
+    const double full = 2 * KG_PI;
     double start = 0;
     it->turn_count = n->options.turn == KG_NEST_FIXED ? 1 : 2;
     if (n->options.turn == KG_NEST_FREE) {

@@ -144,7 +144,7 @@ double kg_nest_exact_axis(const kg_nest_exact *exact, size_t part) {
     const GEOSCoordSequence *seq = ring ? GEOSGeom_getCoordSeq_r(geos, ring) : NULL;
     if (seq && GEOSCoordSeq_getXY_r(geos, seq, 0, &x[0], &y[0]) &&
         GEOSCoordSeq_getXY_r(geos, seq, 1, &x[1], &y[1])) {
-        const double quarter = acos(-1) / 2;
+        const double quarter = KG_PI / 2;
         angle = fmod(atan2(y[1] - y[0], x[1] - x[0]) + 4 * quarter, quarter);
     }
     if (rectangle)

@@ -92,7 +92,7 @@ static double turn_cost(kg_vec2 size, kg_vec2 room) {
  * laid along x or y. */
 static bool item_turn(const kg_net_part *part, const kg_net_options *options, kg_vec2 room,
                       item *it) {
-    const double quarter = acos(0);
+    const double quarter = KG_PI / 2;
     double scale = options->scale, best = INFINITY;
     it->angle = 0;
     if (!options->grain) {

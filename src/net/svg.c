@@ -118,7 +118,7 @@ static void write_stroke(svg *s, const kg_stroke *stroke) {
 }
 
 static void write_caption(svg *s, const kg_caption *caption) {
-    const double degrees = 180 / acos(-1);
+    const double degrees = 180 / KG_PI;
     kg_vec2 base = kg_caption_baseline(caption);
     element(s, "text");
     attribute_number(s, "x", base.x, "");

@@ -4,8 +4,6 @@
 
 #include <stdlib.h>
 
-static const double PI = 3.14159265358979323846;
-
 /* mm a tooth has at least, however tightly the edge bends; nobody cuts smaller ones. */
 static const double TOOTH = 2.5;
 /* Radians at a point that end a base: at one flagged as a corner, and at any other. */
@@ -69,7 +67,7 @@ kg_vec2 kg_tab_loop_at(const kg_tab_loop *loop, double s) {
 /* Angle from a to b, counterclockwise as y points up, in [0, 2 pi). */
 static double angle_between(kg_vec2 a, kg_vec2 b) {
     double angle = atan2(kg_cross2(a, b), kg_dot2(a, b));
-    return angle < 0 ? angle + 2 * PI : angle;
+    return angle < 0 ? angle + 2 * KG_PI : angle;
 }
 
 double kg_tab_loop_gap(const kg_tab_loop *loop, double s) {
@@ -77,7 +75,7 @@ double kg_tab_loop_gap(const kg_tab_loop *loop, double s) {
      * contour, the largest what it meets soon. */
     static const double sight[] = {0.02, 0.1, 0.5};
     kg_vec2 p = kg_tab_loop_at(loop, s);
-    double gap = 2 * PI, length = kg_tab_loop_length(loop);
+    double gap = 2 * KG_PI, length = kg_tab_loop_length(loop);
     for (size_t i = 0; i < sizeof sight / sizeof *sight; i++) {
         double reach = fmin(sight[i], length / 8);
         kg_vec2 ahead = kg_sub2(kg_tab_loop_at(loop, s + reach), p);

@@ -30,7 +30,7 @@ static double cell_area(const kg_oa_piece *piece, const kg_vec3 axes[5], double 
 static void measure_surface(const kg_oa_sheet *s, double cell, kg_net_part *p) {
     kg_vec3 axes[5];
     double cells = 0;
-    kg_oa_axes(acos(0.0), axes);
+    kg_oa_axes(KG_PI / 2, axes);
     for (int row = 0; row < s->rows; row++)
         for (int x = 0; x < s->width; x++) {
             bool whole = kg_oa_cell_shape(s, x, row) == KG_OA_WHOLE;

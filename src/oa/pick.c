@@ -129,7 +129,7 @@ static kg_vec3 over_axes(kg_vec3 v, const kg_vec3 axes[5], double cell) {
 
 bool kg_oa_pick(const kg_oa *oa, const kg_oa_sheet *sheet, double open, kg_vec3 origin,
                 kg_vec3 direction, kg_oa_hit *out_hit) {
-    const double flat = 3.14159265358979323846;
+    const double flat = KG_PI;
     const kg_vec3 world[2] = {origin, direction};
     kg_vec3 axes[5];
     kg_oa_axes(fmin(fmax(open, nudge), flat - nudge), axes);

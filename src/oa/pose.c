@@ -10,7 +10,7 @@
 #include <string.h>
 
 void kg_oa_axes(double open, kg_vec3 out_axes[5]) {
-    double g = 3.14159265358979323846 - open;
+    double g = KG_PI - open;
     double a = (1 + cos(g)) / (3 - cos(g)), c = 2 / (3 - cos(g));
     out_axes[0] = kg_v3(1, 0, 0);
     out_axes[1] = kg_v3(0, 1, 0);
@@ -209,7 +209,7 @@ static kg_mesh_motion *motion_of(const frame *f, double cell, double open) {
     weigh(open, start);
     for (size_t k = 0; k < keys; k++) {
         double closing = 1 - fabs(1 - (double)k / STEPS); /* 0 … 1 … 0 */
-        weigh(3.14159265358979323846 * (1 - closing), now);
+        weigh(KG_PI * (1 - closing), now);
         m->times[k] = cycle * (double)k / (2 * STEPS);
         for (size_t i = 0; i < targets; i++)
             m->weights[k * targets + i] = now[i] - start[i];

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double PI = 3.141592653589793;
-
 enum { MAX_LINES = 20000 };
 
 /* One number as JSON writes them, perhaps with a plus: a decimal point whatever the locale. */
@@ -49,8 +47,8 @@ static kg_status read_line(const char *line, const char *name, int number, kg_pa
     int32_t first = (int32_t)out->vertices.count;
     kg_pattern_edge e = {{first, first + 1},
                          "BMVF"[type - 1],
-                         type == 2   ? -PI
-                         : type == 3 ? PI
+                         type == 2   ? -KG_PI
+                         : type == 3 ? KG_PI
                                      : 0};
     /* y points down in these files */
     return kg_push(&out->vertices, kg_v2(v[1], -v[2])) &&

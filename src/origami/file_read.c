@@ -245,16 +245,11 @@ kg_status kg_origami_read_memory(const char *data, size_t size, const char *name
 
 /* ---- crease patterns -------------------------------------------------------------------- */
 
-static bool ends_with(const char *name, const char *end) {
-    size_t n = strlen(name), m = strlen(end);
-    return n >= m && strcmp(name + n - m, end) == 0;
-}
-
 static kg_status import_state(const char *data, size_t size, const char *name,
                               kg_layer_report *report, kg_origami_state **out_state, char **title,
                               kg_error *error) {
     kg_status status;
-    if (ends_with(name, ".cp")) {
+    if (kg_file_ends_in(name, ".cp")) {
         kg_pattern pattern;
         if ((status = kg_cp_read(data, size, name, &pattern, error)))
             return status;

@@ -3,8 +3,6 @@
 
 #include <stdlib.h>
 
-static const double PI = 3.141592653589793;
-
 /* ---- cutting along the axis ------------------------------------------------------------- */
 
 typedef struct cutting {
@@ -118,16 +116,16 @@ static kg_status turn_edges(cutting *c, const kg_fold_axis *a, kg_fold_blame *bl
             kg_dot(kg_fold_velocity(a, *kg_origin(s, far)), kg_origami_normal(s, moving));
         kg_paper_edge *edge = &s->edges.items[e];
         double angle = edge->angle + copysign(fabs(a->angle), towards);
-        if (fabs(angle) > PI + KG_LEAST_ANGLE) {
+        if (fabs(angle) > KG_PI + KG_LEAST_ANGLE) {
             *blame = (kg_fold_blame){KG_FOLD_AT_EDGE,
                                      {c->parts.parents[x], c->parts.parents[y]},
-                                     PI - fabs(edge->angle)};
+                                     KG_PI - fabs(edge->angle)};
             return kg_fail(error, KG_ERR_INPUT,
                            "faces %d and %d would pass through each other at their common edge",
                            blame->faces[0], blame->faces[1]);
         }
-        if (fabs(angle) > PI - KG_LEAST_ANGLE)
-            angle = copysign(PI, angle);
+        if (fabs(angle) > KG_PI - KG_LEAST_ANGLE)
+            angle = copysign(KG_PI, angle);
         edge->angle = fabs(angle) < KG_LEAST_ANGLE ? 0 : angle;
         edge->kind = KG_PAPER_CREASE;
     }
@@ -226,7 +224,7 @@ static kg_status check_sweep(const cutting *c, const kg_fold_axis *a, kg_fold_bl
                                  hit.angle};
         return kg_fail(error, KG_ERR_INPUT,
                        "the fold would pass through paper: face %d meets face %d at %.4g degrees",
-                       blame->faces[0], blame->faces[1], hit.angle * 180 / PI);
+                       blame->faces[0], blame->faces[1], hit.angle * 180 / KG_PI);
     }
     return status;
 }

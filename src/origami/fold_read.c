@@ -6,8 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double PI = 3.141592653589793;
-
 /* Work on patterns grows with the square of their lines. */
 enum { MAX_EDGES = 20000 };
 
@@ -76,7 +74,7 @@ static kg_status read_vertices(kg_reader *p, const json_t *list, kg_pattern *out
 }
 
 static kg_status read_edge(kg_reader *p, const frame *f, size_t i, size_t base, kg_pattern *out) {
-    kg_pattern_edge e = {.assignment = 'U', .angle = PI};
+    kg_pattern_edge e = {.assignment = 'U', .angle = KG_PI};
     const json_t *ends = json_array_get(find(f, "edges_vertices"), i),
                  *letter = json_array_get(find(f, "edges_assignment"), i),
                  *angle = json_array_get(find(f, "edges_foldAngle"), i);
@@ -99,12 +97,12 @@ static kg_status read_edge(kg_reader *p, const frame *f, size_t i, size_t base, 
             return kg_read_fail(p, "an assignment is one of B M V F U C J");
         e.assignment = s[0];
     }
-    e.angle = e.assignment == 'M' ? -PI : e.assignment == 'V' || e.assignment == 'U' ? PI : 0;
+    e.angle = e.assignment == 'M' ? -KG_PI : e.assignment == 'V' || e.assignment == 'U' ? KG_PI : 0;
     if (json_is_number(angle) && (e.assignment == 'M' || e.assignment == 'V')) {
         enter_key(p, f, "edges_foldAngle", base);
         kg_read_enter(p, NULL, i);
         status = kg_read_number(p, angle, 180, &e.angle);
-        e.angle = fabs(e.angle) == 180 ? copysign(PI, e.angle) : e.angle * (PI / 180);
+        e.angle = fabs(e.angle) == 180 ? copysign(KG_PI, e.angle) : e.angle * (KG_PI / 180);
         if (!status && (e.assignment == 'M' ? e.angle > 0 : e.angle < 0))
             status = kg_read_fail(p, "mountains have angles below 0, valleys above");
     }

@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double PI = 3.141592653589793;
-
 kg_status kg_sheet_shifts(const kg_origami_state *s, size_t *out_count, kg_vec2 **out_shifts) {
     size_t n = 0;
     for (size_t i = 0; i < s->vertices.count; i++)
@@ -64,7 +62,7 @@ static void write_topology(const kg_origami_state *s, json_t *frame) {
     for (size_t e = 0; e < s->edges.count; e++) {
         const kg_paper_edge *edge = &s->edges.items[e];
         double degrees =
-            fabs(edge->angle) == PI ? copysign(180, edge->angle) : edge->angle * (180 / PI);
+            fabs(edge->angle) == KG_PI ? copysign(180, edge->angle) : edge->angle * (180 / KG_PI);
         json_array_append_new(ends, json_pack("[i,i]", s->halves.items[2 * e].origin,
                                               s->halves.items[2 * e + 1].origin));
         json_array_append_new(letters, json_string(letter(edge)));

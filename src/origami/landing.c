@@ -17,10 +17,8 @@ typedef struct landing {
     kg_error *error;
 } landing;
 
-static const double PI = 3.141592653589793;
-
 static bool is_flat(const kg_fold_axis *a) {
-    return fabs(fabs(a->angle) - PI) < KG_LEAST_ANGLE;
+    return fabs(fabs(a->angle) - KG_PI) < KG_LEAST_ANGLE;
 }
 
 /* b lies above (1) or below (-1) a */

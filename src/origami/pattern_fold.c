@@ -3,8 +3,6 @@
 
 #include <stdlib.h>
 
-static const double PI = 3.141592653589793;
-
 /* Radians: how far alternate angles around a vertex may be from a half turn; files have few
  * digits. */
 #define KAWASAKI 1e-3
@@ -21,7 +19,7 @@ static kg_vec3 place(const frame *f, kg_vec2 p) {
 }
 
 static bool is_flat_fold(double angle) {
-    return fabs(fabs(angle) - PI) < 1e-9;
+    return fabs(fabs(angle) - KG_PI) < 1e-9;
 }
 
 static kg_vec3 turn(kg_vec3 r, kg_vec3 d, double angle) {
@@ -77,11 +75,11 @@ static kg_status check_vertex(const kg_origami_state *s, int32_t start, kg_error
     if (folds == 0)
         return KG_OK;
     sums[(folds + 1) & 1] += total - last + first;
-    if (folds % 2 == 1 || fabs(sums[0] - PI) > KAWASAKI)
+    if (folds % 2 == 1 || fabs(sums[0] - KG_PI) > KAWASAKI)
         return kg_fail(error, KG_ERR_INPUT,
                        "vertex %d at (%g, %g) does not fold flat: alternate angles are %.4g and "
                        "%.4g degrees, not both 180 (Kawasaki)",
-                       v, o.x, o.y, sums[0] * 180 / PI, sums[1] * 180 / PI);
+                       v, o.x, o.y, sums[0] * 180 / KG_PI, sums[1] * 180 / KG_PI);
     if (open == 0 && abs(mountains - valleys) != 2)
         return kg_fail(error, KG_ERR_INPUT,
                        "vertex %d at (%g, %g) does not fold flat: %d mountain and %d valley folds, "

@@ -10,8 +10,6 @@ enum { MOST_LAYERS = 64 };
 /* Orders looked at in all while gaps are tried, so that people do not wait: some 0.2 s. */
 #define MOST_ORDERS 50000
 
-static const double PI = 3.141592653589793;
-
 void kg_fold_preview_clear(kg_fold_preview *p) {
     free(p->layers);
     free(p->points);
@@ -129,7 +127,7 @@ kg_status kg_fold_preview_make(const kg_origami_state *state, const kg_fold *fol
         status = kg_folding_finish(&f, fold, &after, NULL, error);
     p.fault = f.blame.fault;
     memcpy(p.faces, f.blame.faces, sizeof p.faces);
-    p.meets_deg = f.blame.angle * 180 / PI;
+    p.meets_deg = f.blame.angle * 180 / KG_PI;
     kg_state_destroy(after);
     kg_folding_clear(&f);
     if (status == KG_ERR_MEMORY) {

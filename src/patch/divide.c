@@ -276,7 +276,7 @@ kg_status kg_patch_divide(const kg_patch_input *input, kg_patch_parts *out, kg_e
     double least = HUGE_VAL;
     kg_patch_parts parts;
     for (int i = 0; i < NORMALS; i++) {
-        double z[VARIABLES] = {[NORMAL] = acos(-1.0) * i / NORMALS};
+        double z[VARIABLES] = {[NORMAL] = KG_PI * i / NORMALS};
         chain c;
         kg_simplex_descend(cost, &t, VARIABLES, 0.15, ROUNDS, z);
         if (!build(&t, z, &c) || c.fault > 0.1)

@@ -13,7 +13,7 @@ enum { PLACES = 30, TWISTS = 10, WAYS = 32, HALVINGS = 20 };
 bool kg_patch_is_sound(const kg_patch_input *input) {
     kg_patch p;
     return !kg_patch_init(input, &p, NULL) && !p.clamped && p.theta[0] >= KG_FLAT_RULING &&
-           p.theta[1] <= acos(-1.0) - KG_FLAT_RULING;
+           p.theta[1] <= KG_PI - KG_FLAT_RULING;
 }
 
 static bool is_easy(const kg_patch_input *in) {

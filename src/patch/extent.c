@@ -189,24 +189,23 @@ static kg_status measure_rulings(kg_patch *p, kg_error *error) {
     p->regression_v[0] = p->regression_v[1] = NAN;
     p->flattest_v = 0;
     if (p->ruling_degree == 0) {
-        p->theta[0] = p->theta[1] = acos(0);
+        p->theta[0] = p->theta[1] = KG_PI / 2;
         return KG_OK;
     }
     samples s;
     sample(p, &s);
-    const double pi = acos(-1.0);
     double value[2], v[2];
     /* NaN where p' × p'' vanishes */
     for (int i = 0; i < s.count; i++) {
         double t = theta(&s.rulings[i]);
-        if (!(t >= LEAST_THETA && t <= pi - LEAST_THETA))
+        if (!(t >= LEAST_THETA && t <= KG_PI - LEAST_THETA))
             return kg_fail(error, KG_ERR_INPUT,
                            "the ruling runs along the geodesic at v = %.4g, a twisted inflection; "
                            "flatten the geodesic into a plane or bend it one way only",
                            s.rulings[i].v);
     }
     extremes(p, &s, theta, p->theta, v);
-    p->flattest_v = p->theta[0] < pi - p->theta[1] ? v[0] : v[1];
+    p->flattest_v = p->theta[0] < KG_PI - p->theta[1] ? v[0] : v[1];
     extremes(p, &s, inverse_regression, value, v);
     for (int k = 0; k < 2; k++)
         if (k ? value[k] > 0 : value[k] < 0) {
@@ -237,7 +236,7 @@ kg_status kg_patch_init_extent(const kg_patch_input *input, kg_patch *patch, kg_
                        "the extent [%g, %g] lies wholly beyond the edge of regression (allowed: "
                        "%g to %g); bring it nearer to the geodesic or bend the geodesic less",
                        lo, hi, least, most);
-    double upright = fmin(fmax(acos(0), patch->theta[0]), patch->theta[1]);
+    double upright = fmin(fmax(KG_PI / 2, patch->theta[0]), patch->theta[1]);
     double width = (patch->extent[1] - patch->extent[0]) * sin(upright);
     if ((patch->clamped || sin(upright) < 0.5) &&
         width < LEAST_WIDTH * kg_curve_size(&patch->geodesic))

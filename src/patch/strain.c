@@ -29,7 +29,7 @@ static frame frame_at(const kg_vec3 points[4], double v) {
 }
 
 kg_strain kg_cubic_strain(const kg_vec3 points[4], const double extent[2]) {
-    kg_strain s = {0, acos(0)};
+    kg_strain s = {0, KG_PI / 2};
     kg_vec3 third = kg_scale(
         kg_add(kg_sub(points[3], points[0]), kg_scale(kg_sub(points[1], points[2]), 3)), 6);
     for (int i = 0; i <= SAMPLES; i++) {

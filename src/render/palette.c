@@ -1,5 +1,7 @@
 #include "katagami/render.h"
 
+#include "base/color.h"
+
 static kg_color mix(kg_color a, float white, float t) {
     kg_color c = {a.r + (white - a.r) * t, a.g + (white - a.g) * t, a.b + (white - a.b) * t, a.a};
     return c;
@@ -22,14 +24,8 @@ kg_color kg_palette(size_t i) {
     }
 }
 
-/* The transfer function of sRGB (IEC 61966-2-1). */
-static float srgb(float linear) {
-    if (!(linear > 0.0031308f)) /* also catches NaN */
-        return linear > 0 ? 12.92f * linear : 0;
-    return linear < 1 ? 1.055f * powf(linear, 1 / 2.4f) - 0.055f : 1;
-}
-
 kg_color kg_color_from_linear(const float rgba[4]) {
-    kg_color c = {srgb(rgba[0]), srgb(rgba[1]), srgb(rgba[2]), fminf(fmaxf(rgba[3], 0), 1)};
+    kg_color c = {kg_srgb_of_linear(rgba[0]), kg_srgb_of_linear(rgba[1]),
+                  kg_srgb_of_linear(rgba[2]), fminf(fmaxf(rgba[3], 0), 1)};
     return c;
 }

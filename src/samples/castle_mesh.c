@@ -1,7 +1,5 @@
 #include "samples/castle_mesh.h"
 
-static const double PI = 3.14159265358979323846;
-
 enum { AROUND = 24 }; /* sides of what is round */
 
 typedef struct builder {
@@ -42,7 +40,7 @@ static void add_round(builder *b, double x, double z, double low, double r_low, 
                       double r_high) {
     int first = b->next;
     for (int i = 0; i < 2 * AROUND; i++) {
-        double angle = 2 * PI * (i / 2) / AROUND, r = i % 2 ? r_high : r_low;
+        double angle = 2 * KG_PI * (i / 2) / AROUND, r = i % 2 ? r_high : r_low;
         add_point(b, x + r * sin(angle), i % 2 ? high : low, z + r * cos(angle));
     }
     for (int i = 0; i < AROUND; i++) {

@@ -4,8 +4,6 @@
 
 enum { AROUND = 32 };
 
-#define PI 3.14159265358979323846
-
 /* One closed component: `rings` rings of AROUND points, pole points before and behind them.
  * `mirrored` turns y and the faces around. */
 typedef struct loft {
@@ -61,10 +59,10 @@ static int add_tube(text *out, int first, const char *name, dolphin_tube tube, i
     add_point(&l, dolphin_section_point(&s, 0));
     for (int r = 1; r <= rings; r++) {
         /* denser towards the round front end */
-        double t = 0.5 * (1 - cos(PI * r / (rings + 1)));
+        double t = 0.5 * (1 - cos(KG_PI * r / (rings + 1)));
         s = dolphin_section_at(tube, t);
         for (int i = 0; i < AROUND; i++)
-            add_point(&l, dolphin_section_point(&s, 2 * PI * i / AROUND));
+            add_point(&l, dolphin_section_point(&s, 2 * KG_PI * i / AROUND));
     }
     s = dolphin_section_at(tube, 1);
     add_point(&l, dolphin_section_point(&s, 0));
@@ -73,7 +71,7 @@ static int add_tube(text *out, int first, const char *name, dolphin_tube tube, i
 
 /* A lens: around the chord at every ring, leading edge first, over one side and back. */
 static kg_vec3 fin_surface(dolphin_fin fin, double span, int i) {
-    double angle = 2 * PI * i / AROUND, thickness;
+    double angle = 2 * KG_PI * i / AROUND, thickness;
     kg_vec3 p = dolphin_fin_point(fin, span, 0.5 * (1 - cos(angle)), &thickness);
     return kg_madd(p, (i < AROUND / 2 ? 0.5 : -0.5) * thickness, dolphin_fin_normal(fin, span));
 }

@@ -28,7 +28,6 @@ enum {
     FLUKE_RIGHT
 };
 
-static const double PI = 3.14159265358979323846;
 static const kg_vec3 X = {1, 0, 0}, Y = {0, 1, 0}, Z = {0, 0, 1};
 
 /* ---- lines that sheets are fitted to --------------------------------------------------- */
@@ -54,8 +53,8 @@ static void contour_at(const void *user, double s, kg_vec3 *out_point, kg_vec3 *
 /* Over the upper half of a section, from left to right. */
 static void arch_at(const void *user, double s, kg_vec3 *out_point, kg_vec3 *out_normal) {
     const dolphin_section *section = user;
-    *out_point = dolphin_section_contour(section, PI * s);
-    *out_normal = kg_v3(0, cos(PI * s), sin(PI * s));
+    *out_point = dolphin_section_contour(section, KG_PI * s);
+    *out_normal = kg_v3(0, cos(KG_PI * s), sin(KG_PI * s));
 }
 
 /* The middle of a fin from its root to near its tip, where all edges run together. */
@@ -127,10 +126,10 @@ static contour_line trunk(double psi0, double psi1, double t0, double x1) {
 static kg_status add_body(sample_model *model, kg_error *error) {
     const kg_vec3 out = {0, 0.6, -0.8}; /* normal of the lower strips: 3 to 4 has few decimals */
     const double low = atan2(out.z, out.y);
-    contour_line back = trunk(PI / 2, PI / 2, 0.006, -108);
-    contour_line belly = trunk(-PI / 2, -PI / 2, t_at(DOLPHIN_TRUNK, 97), -108);
+    contour_line back = trunk(KG_PI / 2, KG_PI / 2, 0.006, -108);
+    contour_line belly = trunk(-KG_PI / 2, -KG_PI / 2, t_at(DOLPHIN_TRUNK, 97), -108);
     contour_line flank = trunk(0, 0, t_at(DOLPHIN_TRUNK, 102), -108);
-    contour_line upper = trunk(0.22 * PI, 0.30 * PI, t_at(DOLPHIN_TRUNK, 92), -95);
+    contour_line upper = trunk(0.22 * KG_PI, 0.30 * KG_PI, t_at(DOLPHIN_TRUNK, 92), -95);
     contour_line lower = trunk(low, low, t_at(DOLPHIN_TRUNK, 94), -100);
     lower.flare = 1; /* so that it ends in a point before the tail does, like the upper one */
     const sheet sheets[] = {
@@ -208,7 +207,7 @@ static kg_status add_body(sample_model *model, kg_error *error) {
 
 static kg_status add_beak(sample_model *model, kg_error *error) {
     dolphin_section root = dolphin_section_at(DOLPHIN_BEAK, t_at(DOLPHIN_BEAK, 109));
-    contour_line bottom = {DOLPHIN_BEAK,           -PI / 2, -PI / 2, t_at(DOLPHIN_BEAK, 119),
+    contour_line bottom = {DOLPHIN_BEAK,           -KG_PI / 2, -KG_PI / 2, t_at(DOLPHIN_BEAK, 119),
                            t_at(DOLPHIN_BEAK, 97), 0};
     const sheet sheets[] = {
         /* square to rulings that fall by 20.6° towards the tip */

@@ -21,7 +21,7 @@ static bool fits(const kg_patch *p, const kg_region *region, kg_vec2 room) {
     for (size_t i = 0; i < l->point_count && paper; i++)
         paper[i] = kg_patch_unroll(p, l->points[i].u, l->points[i].v);
     for (int k = 0; k < TURNS && !found; k++) {
-        double angle = acos(-1.0) * k / TURNS, c = cos(angle), s = sin(angle);
+        double angle = KG_PI * k / TURNS, c = cos(angle), s = sin(angle);
         kg_box2 box = kg_box2_empty();
         for (size_t i = 0; i < l->point_count; i++)
             kg_box2_add(&box,

@@ -1,4 +1,5 @@
 #include "base/array.h"
+#include "base/color.h"
 #include "base/file.h"
 #include "base/phrase.h"
 #include "katagami/base.h"
@@ -96,6 +97,35 @@ static void writing_replaces_the_whole_file_or_nothing(void **state) {
     assert_int_equal(kg_file_read(path, &data, &size, &e), KG_ERR_IO);
 }
 
+static void endings_are_found_in_capitals_too(void **state) {
+    (void)state;
+    assert_true(kg_file_ends_in("a/CRANE.CP", ".cp"));
+    assert_true(kg_file_ends_in("a.fold/crane.fold", ".fold"));
+    assert_false(kg_file_ends_in("a.fold/crane", ".fold"));
+    assert_false(kg_file_ends_in("p", ".cp"));
+}
+
+static void stems_lack_folder_and_last_ending(void **state) {
+    (void)state;
+    static const char *const cases[][2] = {
+        {"models.d/cat", "cat"}, {"models/cat.low.obj", "cat.low"}, {"cat", "cat"}, {"a/", ""}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *stem = kg_file_stem(cases[i][0]);
+        assert_string_equal(stem, cases[i][1]);
+        free(stem);
+    }
+}
+
+static void colours_come_back_from_linear_light(void **state) {
+    (void)state;
+    for (int i = 0; i < 256; i++) {
+        float srgb = (float)i / 255;
+        assert_near(kg_srgb_of_linear(kg_linear_of_srgb(srgb)), srgb, 1e-6);
+    }
+    assert_near(kg_linear_of_srgb(0.5f), 0.21404114, 1e-7);
+    assert_true(kg_srgb_of_linear(NAN) == 0 && kg_srgb_of_linear(2) == 1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fail_in_puts_the_place_in_front),
@@ -104,6 +134,9 @@ int main(void) {
         cmocka_unit_test(without_a_catalogue_texts_stay_as_they_are),
         cmocka_unit_test(impossible_reserve_leaves_the_array),
         cmocka_unit_test(writing_replaces_the_whole_file_or_nothing),
+        cmocka_unit_test(endings_are_found_in_capitals_too),
+        cmocka_unit_test(stems_lack_folder_and_last_ending),
+        cmocka_unit_test(colours_come_back_from_linear_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

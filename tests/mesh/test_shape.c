@@ -187,7 +187,7 @@ static void random_star_polygons_are_covered_once(void **state) {
     for (int round = 0; round < 300; round++) {
         uint32_t n = 3 + (uint32_t)(kg_random_bits(&random) % 58);
         for (uint32_t i = 0; i < n; i++) {
-            double angle = 2 * 3.14159265358979 * i / n, r = kg_random_in(&random, 0.05, 1);
+            double angle = 2 * KG_PI * i / n, r = kg_random_in(&random, 0.05, 1);
             p[i] = kg_v2(r * cos(angle), r * sin(angle));
         }
         if (n > 4)
@@ -237,7 +237,7 @@ static void a_face_of_a_hundred_thousand_teeth_ends(void **state) {
     kg_vec3 *p = malloc(n * sizeof *p);
     uint32_t *corners = malloc(n * sizeof *corners), *t = malloc(3 * n * sizeof *t);
     for (uint32_t i = 0; i < n; i++) {
-        double angle = 2 * 3.14159265358979 * i / n, r = i % 2 ? 1 : 2;
+        double angle = 2 * KG_PI * i / n, r = i % 2 ? 1 : 2;
         p[i] = kg_v3(r * cos(angle), r * sin(angle), 0);
         corners[i] = i;
     }

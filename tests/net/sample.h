@@ -27,7 +27,7 @@ static inline void sample_blob(sample_line *line, kg_vec2 centre, double radius,
     line->count = 0;
     size_t n = (size_t)(8 * sqrt(radius) * (1 + lobes * wave) * 6);
     for (size_t i = 0; i < n; i++) {
-        double a = turn * 2 * acos(-1) * (double)i / (double)n;
+        double a = turn * 2 * KG_PI * (double)i / (double)n;
         double r = radius * (1 + wave * cos(lobes * a));
         sample_add(line, centre.x + r * cos(a), centre.y + r * sin(a), false);
     }
@@ -40,7 +40,7 @@ static inline void sample_leaf(sample_line *line, double length, double arch) {
     for (int side = 0; side < 2; side++)
         for (int i = 0; i < n; i++) {
             double t = side == 0 ? i / (double)n : 1 - i / (double)n;
-            double y = arch * sin(acos(-1) * t) * (side == 0 ? -1 : 0.6);
+            double y = arch * sin(KG_PI * t) * (side == 0 ? -1 : 0.6);
             sample_add(line, length * t, y, i == 0);
         }
 }
@@ -57,7 +57,7 @@ static inline size_t sample_fold(kg_net *net, size_t part, kg_net_kind kind, kg_
     corners[20] = 1;
     for (int i = 0; i <= 20; i++) {
         points[i] = kg_lerp2(a, b, i / 20.0);
-        points[i].y += 2 * sin(acos(-1) * i / 20.0);
+        points[i].y += 2 * sin(KG_PI * i / 20.0);
     }
     kg_net_line line = {.kind = kind,
                         .count = 21,

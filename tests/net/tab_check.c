@@ -4,8 +4,6 @@
 
 enum { OUTLINE_MAX = 600, TABS_MAX = 2000 };
 
-static const double PI = 3.14159265358979323846;
-
 void tab_draw(tab_pen *p, double x, double y, bool corner) {
     p->points[p->count] = kg_v2(x, y);
     p->corners[p->count++] = corner;
@@ -47,7 +45,7 @@ kg_net_join *tab_add_join(kg_net *net, kg_net_side a, kg_net_side b) {
 
 void tab_draw_circle(tab_pen *p, double radius, double direction) {
     for (int i = 0; i < 120; i++) {
-        double t = direction * 2 * PI * i / 120;
+        double t = direction * 2 * KG_PI * i / 120;
         tab_draw(p, radius * cos(t), radius * sin(t), false);
     }
 }

@@ -88,7 +88,7 @@ static kg_vec2 wave(void *user, double t) {
 
 static kg_vec2 blob(void *user, double t) {
     const double *c = user;
-    double a = 2 * acos(-1) * t;
+    double a = 2 * KG_PI * t;
     double r = 40 * (1 + c[0] * sin(2 * a + c[1]) + c[2] * sin(3 * a + c[3]) + c[4] * cos(5 * a));
     return kg_v2(r * cos(a), r * sin(a));
 }
@@ -160,7 +160,7 @@ static void closed_smooth_loops_have_no_kink_at_the_seam(void **state) {
 }
 
 static kg_vec2 circle(void *user, double t) {
-    double a = 2 * acos(-1) * t, r = *(double *)user;
+    double a = 2 * KG_PI * t, r = *(double *)user;
     return kg_v2(r * cos(a), r * sin(a));
 }
 
@@ -185,7 +185,7 @@ static void rounded_rectangle_keeps_its_straight_sides_and_round_corners(void **
     kg_vec2 p[64];
     const kg_vec2 centre[4] = {{55, 25}, {5, 25}, {5, 5}, {55, 5}};
     for (int i = 0; i < 64; i++) {
-        double a = acos(-1) / 2 * (i / 16 + i % 16 / 15.0);
+        double a = KG_PI / 2 * (i / 16 + i % 16 / 15.0);
         p[i] = kg_add2(centre[i / 16], kg_v2(5 * cos(a), 5 * sin(a)));
     }
     unsigned char *corners = flags(64);
@@ -233,7 +233,7 @@ static void hard_polylines_are_followed(void **state) {
         for (size_t i = 0; i < count; i++) {
             double kind = kg_random_in(&random, 0, 1);
             if (kind < 0.1)
-                heading += acos(-1);
+                heading += KG_PI;
             else if (kind < 0.3)
                 heading += kg_random_in(&random, -2, 2);
             else

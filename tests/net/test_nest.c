@@ -16,8 +16,6 @@ typedef struct shelf {
     size_t count;
 } shelf;
 
-static const double PI = 3.14159265358979323846;
-
 static kg_vec2 *add_loop(shelf *s, size_t count) {
     kg_nest_part *part = &s->parts[s->count];
     size_t k = part->loop_count++;
@@ -30,8 +28,8 @@ static void add_leaf(shelf *s, double length, double width, double bend) {
     kg_vec2 *p = add_loop(s, 120);
     for (int i = 0; i < 120; i++) {
         double t = i / 60.0, x = t < 1 ? t : 2 - t;
-        double y = t < 1 ? -width * sin(PI * t) : 0.6 * width * sin(PI * (t - 1));
-        p[i] = kg_v2(x * length, y + bend * sin(PI * x));
+        double y = t < 1 ? -width * sin(KG_PI * t) : 0.6 * width * sin(KG_PI * (t - 1));
+        p[i] = kg_v2(x * length, y + bend * sin(KG_PI * x));
     }
     s->count++;
 }
@@ -48,8 +46,8 @@ static void add_band(shelf *s, double radius, double width, double angle) {
 static void add_circle(shelf *s, double radius, double direction) {
     kg_vec2 *p = add_loop(s, 90);
     for (int i = 0; i < 90; i++)
-        p[i] = kg_v2(radius * cos(direction * 2 * PI * i / 90),
-                     radius * sin(direction * 2 * PI * i / 90));
+        p[i] = kg_v2(radius * cos(direction * 2 * KG_PI * i / 90),
+                     radius * sin(direction * 2 * KG_PI * i / 90));
 }
 
 static void add_box(shelf *s, double width, double height) {

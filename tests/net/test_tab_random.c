@@ -1,7 +1,5 @@
 #include "tests/net/tab_check.h"
 
-static const double PI = 3.14159265358979323846;
-
 /* ---- random parts ------------------------------------------------------------------------ */
 
 static void draw_blob(tab_pen *p, kg_random *r) {
@@ -9,7 +7,7 @@ static void draw_blob(tab_pen *p, kg_random *r) {
            b = kg_random_in(r, 0, 0.1);
     double m = floor(kg_random_in(r, 2, 6)), k = floor(kg_random_in(r, 6, 12));
     for (int i = 0; i < 400; i++) {
-        double t = 2 * PI * i / 400, d = radius * (1 + a * sin(m * t) + b * sin(k * t));
+        double t = 2 * KG_PI * i / 400, d = radius * (1 + a * sin(m * t) + b * sin(k * t));
         tab_draw(p, d * cos(t), d * sin(t), false);
     }
 }
@@ -19,15 +17,15 @@ static void draw_leaf(tab_pen *p, kg_random *r) {
     double under = kg_random_in(r, 0.05, 1), bend = kg_random_in(r, -0.2, 0.2) * length;
     for (int i = 0; i < 200; i++) {
         double t = i / 100.0, x = t < 1 ? t : 2 - t;
-        double y = t < 1 ? -width * sin(PI * t) : under * width * sin(PI * (t - 1));
-        tab_draw(p, x * length, y + bend * sin(PI * x), i == 0 || i == 100);
+        double y = t < 1 ? -width * sin(KG_PI * t) : under * width * sin(KG_PI * (t - 1));
+        tab_draw(p, x * length, y + bend * sin(KG_PI * x), i == 0 || i == 100);
     }
 }
 
 static void draw_crescent(tab_pen *p, kg_random *r) {
     double radius = kg_random_in(r, 8, 60), depth = kg_random_in(r, 0.3, 0.95);
     for (int i = 0; i < 300; i++) {
-        double t = PI * (i < 150 ? i : 300 - i) / 150;
+        double t = KG_PI * (i < 150 ? i : 300 - i) / 150;
         tab_draw(p, radius * cos(t), radius * sin(t) * (i < 150 ? 1 : depth), i == 0 || i == 150);
     }
 }

@@ -21,7 +21,7 @@ static void random_loop(kg_random *random, sample_line *line, double size) {
         line->count = 0;
         size_t n = 3 + (size_t)kg_random_in(random, 0, 60);
         for (size_t i = 0; i < n; i++) {
-            double a = 2 * acos(-1) * (double)i / (double)n, wild = kg_random_in(random, 0, 1);
+            double a = 2 * KG_PI * (double)i / (double)n, wild = kg_random_in(random, 0, 1);
             double r = size * (wild < 0.1 ? kg_random_in(random, 0.01, 2) : 1);
             sample_add(line, r * cos(a), r * sin(a), kg_random_in(random, 0, 1) < 0.2);
             if (wild > 0.95)

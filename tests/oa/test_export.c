@@ -49,7 +49,7 @@ static void gltf_folds_up_by_morph_targets(void **state) {
         for (int k = 1; k <= 3; k++)
             kg_oa_add(oa, k, k - 1, k - 1);
         oa->diagonals = diagonals;
-        json_t *root = written(oa, acos(0.0), &read);
+        json_t *root = written(oa, KG_PI / 2, &read);
         kg_box3 box = kg_mesh_bounds(read);
         assert_near(box.hi.z, 8, 1e-6); /* without its animation the card stands */
         assert_near(box.lo.y, -8, 1e-6);

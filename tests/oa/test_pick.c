@@ -3,8 +3,6 @@
 
 #include <stdlib.h>
 
-static const double flat = 3.14159265358979323846;
-
 /* The nearest of all faces, by triangles; INFINITY: none. */
 static double nearest(const kg_mesh *mesh, kg_vec3 origin, kg_vec3 direction) {
     double best = INFINITY;
@@ -69,7 +67,7 @@ static void rays_meet_the_nearest_face(void **state) {
             oa->diagonals = true;
             oa->margin_cells = whole(&r, 0, 2);
         }
-        double open = kg_random_in(&r, 0.05, flat - 0.05);
+        double open = kg_random_in(&r, 0.05, KG_PI - 0.05);
         kg_oa_sheet *s;
         kg_mesh *mesh;
         assert_int_equal(kg_oa_sheet_create(oa, &s, NULL), KG_OK);
@@ -109,7 +107,7 @@ static void hits_name_the_voxel(void **state) {
     oa->margin_cells = 3;
     assert_int_equal(kg_oa_sheet_create(oa, &s, NULL), KG_OK);
     const kg_vec3 down = {0, 0, -1}, inward = {0, 1, 0};
-    const double half = acos(0.0);
+    const double half = KG_PI / 2;
     assert_true(kg_oa_pick(oa, s, half, kg_v3(25, -5, 100), down, &hit)); /* the roof */
     assert_true(hit.voxel.top && hit.printed && hit.plane == KG_OA_FLOOR && hit.level < 0);
     assert_true(hit.voxel.x == 2 && hit.voxel.y == 0 && hit.voxel.z == 2);
@@ -145,10 +143,10 @@ static void flat_and_closed_cards_are_met(void **state) {
     for (int row = 0; row < s->rows; row++)
         for (int x = 0; x < s->width; x++) {
             kg_vec3 middle = kg_v3(x + 0.5, s->height - row - 0.5, 9);
-            assert_true(kg_oa_pick(oa, s, flat, middle, kg_v3(0, 0, -1), &hit));
+            assert_true(kg_oa_pick(oa, s, KG_PI, middle, kg_v3(0, 0, -1), &hit));
             assert_true(hit.x == x && hit.row == row && hit.printed);
             kg_vec3 corner = kg_v3(x, s->height - row, 9);
-            assert_true(kg_oa_pick(oa, s, flat, corner, kg_v3(0, 0, -1), &hit));
+            assert_true(kg_oa_pick(oa, s, KG_PI, corner, kg_v3(0, 0, -1), &hit));
         }
     assert_true(kg_oa_pick(oa, s, 0, kg_v3(0.5, -0.5, 9), kg_v3(0, 0, -1), &hit));
     assert_true(hit.plane == KG_OA_BACK && !hit.printed && hit.voxel.y == -1);

@@ -2,8 +2,6 @@
 
 #include <stdlib.h>
 
-static const double pi = 3.14159265358979323846;
-
 static kg_oa *card(int w, int d, int h, const char *const *columns) {
     kg_oa *oa;
     assert_int_equal(kg_oa_create(w, d, h, 1, &oa, NULL), KG_OK);
@@ -29,7 +27,7 @@ static void check_isometry(const kg_oa_piece *piece) {
     kg_oa_tuple x = kg_oa_piece_point(piece, 1, 0), t = kg_oa_piece_point(piece, 0, 1);
     for (int deg = 0; deg <= 180; deg += 20) {
         kg_vec3 axes[5], u = {0, 0, 0}, v = {0, 0, 0};
-        kg_oa_axes(deg * pi / 180, axes);
+        kg_oa_axes(deg * KG_PI / 180, axes);
         for (int i = 0; i < 5; i++) {
             u = kg_madd(u, x.v[i] - o.v[i], axes[i]);
             v = kg_madd(v, t.v[i] - o.v[i], axes[i]);
@@ -103,7 +101,7 @@ static void check_line(const kg_oa_sheet *s, kg_oa_edge kind, int x0, int t0, in
 static void check_point(const kg_oa_sheet *s, int x, int t, double px, double py, double pz) {
     kg_vec3 axes[5];
     bool found = false;
-    kg_oa_axes(pi / 2, axes);
+    kg_oa_axes(KG_PI / 2, axes);
     for (int dx = -1; dx <= 0; dx++)
         for (int dr = -1; dr <= 0; dr++)
             for (int side = 0; side < 2; side++) {
@@ -136,7 +134,7 @@ static void check_folds(const kg_oa *oa, const kg_oa_sheet *s) {
     kg_oa_stability_destroy(stability);
     for (int deg = 0; deg <= 180; deg += 5) {
         kg_mesh *mesh;
-        assert_int_equal(kg_oa_pose(oa, s, NULL, deg * pi / 180, &mesh, NULL), KG_OK);
+        assert_int_equal(kg_oa_pose(oa, s, NULL, deg * KG_PI / 180, &mesh, NULL), KG_OK);
         for (size_t f = 0; f < mesh->face_count; f++) {
             uint32_t from = mesh->face_starts[f], n = mesh->face_starts[f + 1] - from;
             for (uint32_t i = 0; i < n; i++) {

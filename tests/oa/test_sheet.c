@@ -173,7 +173,6 @@ static void check_edges(const kg_mesh *mesh, double cell) {
 
 static void valid_cards_open_and_close_flat(void **state) {
     (void)state;
-    const double pi = acos(-1.0);
     kg_random r = {4};
     size_t count = 0;
     for (int i = 0; i < CARDS; i++) {
@@ -186,7 +185,7 @@ static void valid_cards_open_and_close_flat(void **state) {
         count += missing == 0;
         for (int deg = 0; deg <= 180 && missing == 0; deg += 15) {
             kg_mesh *mesh;
-            assert_int_equal(kg_oa_pose(oa, sheet, NULL, deg * pi / 180, &mesh, NULL), KG_OK);
+            assert_int_equal(kg_oa_pose(oa, sheet, NULL, deg * KG_PI / 180, &mesh, NULL), KG_OK);
             assert_int_equal(kg_mesh_check(mesh, NULL), KG_OK);
             assert_int_equal(mesh->face_count, sheet->width * sheet->rows);
             check_edges(mesh, 2.5);
@@ -195,7 +194,7 @@ static void valid_cards_open_and_close_flat(void **state) {
             if (deg == 0 || deg == 180)
                 assert_near(height, 0, 1e-9);
             else
-                assert_near(height, 2.5 * sheet->height * sin(deg * pi / 180), 1e-9);
+                assert_near(height, 2.5 * sheet->height * sin(deg * KG_PI / 180), 1e-9);
             if (deg == 180) /* the sheet as it was cut out */
                 assert_near(box.hi.y - box.lo.y, 2.5 * sheet->rows, 1e-9);
             kg_mesh_destroy(mesh);
@@ -214,7 +213,7 @@ static void standing_card_is_the_voxels_own_surface(void **state) {
     kg_oa_add(oa, 1, 0, 1);
     kg_oa_sheet *sheet = sheet_of(oa);
     kg_mesh *mesh;
-    assert_int_equal(kg_oa_pose(oa, sheet, NULL, acos(0.0), &mesh, NULL), KG_OK);
+    assert_int_equal(kg_oa_pose(oa, sheet, NULL, KG_PI / 2, &mesh, NULL), KG_OK);
     kg_box3 box = kg_mesh_bounds(mesh);
     assert_near(box.lo.y, -6, 1e-12); /* the front view looks along +y */
     assert_near(box.hi.y, 0, 1e-12);
@@ -236,7 +235,6 @@ static void standing_card_is_the_voxels_own_surface(void **state) {
 
 static void motion_passes_through_every_pose(void **state) {
     (void)state;
-    const double pi = acos(-1.0);
     kg_random r = {5};
     for (int i = 0; i < 20; i++) {
         kg_oa *oa = random_card(&r, 0.2, 0, true);
@@ -245,7 +243,7 @@ static void motion_passes_through_every_pose(void **state) {
         kg_mesh_motion *motion;
         assert_int_equal(kg_oa_motion(oa, sheet, NULL, 1.1, &mesh, &motion, NULL), KG_OK);
         for (size_t k = 0; k < motion->key_count; k += 7) {
-            double open = pi * fabs(1 - 2.0 * (double)k / (double)(motion->key_count - 1));
+            double open = KG_PI * fabs(1 - 2.0 * (double)k / (double)(motion->key_count - 1));
             assert_int_equal(kg_oa_pose(oa, sheet, NULL, open, &pose, NULL), KG_OK);
             for (size_t v = 0; v < mesh->vertex_count; v++) {
                 kg_vec3 p = mesh->positions[v];

@@ -75,7 +75,7 @@ static void test_a_face_in_the_way_is_named(void **user) {
     kg_error error;
     assert_int_equal(kg_fold_preview_make(last(o), &fold, &p, &error), KG_ERR_INPUT);
     assert_int_equal(p.fault, KG_FOLD_IN_WAY);
-    assert_near(p.meets_deg, 180 - acos(30.0 / 40) * 180 / acos(-1), 1e-3);
+    assert_near(p.meets_deg, 180 - acos(30.0 / 40) * 180 / KG_PI, 1e-3);
     assert_near(fabs(kg_origami_normal(last(o), p.faces[1]).x), 1, 1e-9); /* the wall */
     assert_true(p.has_axis && p.part_count == 1);
     kg_fold_preview_clear(&p);

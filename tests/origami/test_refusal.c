@@ -37,7 +37,7 @@ static void test_edge_meets_a_raised_face(void **user) {
     kg_error error;
     /* its edge, 40 from the axis, comes down on the wall 30 behind it */
     must_refuse(o, fold_left(40, 180), &error);
-    assert_touches_at(&error, 180 - acos(30.0 / 40) * 180 / acos(-1));
+    assert_touches_at(&error, 180 - acos(30.0 / 40) * 180 / KG_PI);
     /* up to there it is free */
     must_fold(o, fold_left(40, 138));
     assert_sound(last(o));
@@ -49,7 +49,7 @@ static void test_face_meets_a_raised_edge(void **user) {
     kg_origami *o = walled_sheet();
     kg_error error;
     must_refuse(o, fold_left(50, 180), &error);
-    assert_touches_at(&error, 180 - atan2(30, 20) * 180 / acos(-1));
+    assert_touches_at(&error, 180 - atan2(30, 20) * 180 / KG_PI);
     /* away from it, to the other side, and where it is too short */
     must_fold(o, fold_left(50, -180));
     assert_true(kg_origami_undo(o));
@@ -67,7 +67,7 @@ static void test_corner_meets_a_face(void **user) {
     must_refuse(o, f, &error);
     /* it moves on a circle about the axis through (40,20); at height z it passes x = 70 */
     double radius = hypot(40, 20), x = (70 - 40) / (40 / radius);
-    assert_touches_at(&error, 180 - acos(x / radius) * 180 / acos(-1));
+    assert_touches_at(&error, 180 - acos(x / radius) * 180 / KG_PI);
     kg_origami_destroy(o);
 }
 
@@ -79,7 +79,7 @@ static void test_two_sheets_through_each_other(void **user) {
     add_rectangle(o, 120, 0, 100, 100);
     must_fold(o, fold_axis(kg_v3(70, 0, 0), kg_v3(70, 100, 0), kg_v3(100, 0, 0), 90));
     must_refuse(o, fold_axis(kg_v3(130, 0, 0), kg_v3(130, 100, 0), kg_v3(220, 0, 0), 180), &error);
-    assert_touches_at(&error, 180 - atan2(30, 60) * 180 / acos(-1));
+    assert_touches_at(&error, 180 - atan2(30, 60) * 180 / KG_PI);
     kg_origami_destroy(o);
 }
 

@@ -61,7 +61,7 @@ static void bad_arcs_become_sound_with_their_ends_where_they_were(void **state) 
         bool wide = !kg_patch_init(&less, &patch, NULL) &&
                     0.93 * patch.regression[0] < in.extent[0] &&
                     0.93 * patch.regression[1] > in.extent[1] && patch.theta[0] > 0.12 &&
-                    patch.theta[1] < acos(-1.0) - 0.12;
+                    patch.theta[1] < KG_PI - 0.12;
         assert_false(wide && movement(&in, &out) > 1);
     }
     printf("equalized %d of %d, %d with their tangents\n", mended, ROUNDS, same_tangents);

@@ -1,7 +1,5 @@
 #include "tests/render/scene.h"
 
-const double PI = 3.14159265358979323846;
-
 kg_renderer *renderer;
 
 const kg_color black = {0, 0, 0, 1}, red = {1, 0, 0, 1}, green = {0, 1, 0, 1}, blue = {0, 0, 1, 1},

@@ -5,8 +5,6 @@
 #include "katagami/render.h"
 #include "tests/check.h"
 
-extern const double PI;
-
 enum { SIZE = 200 }; /* px: pictures of 200 x 200, 1 mm to a pixel */
 
 extern kg_renderer *renderer; /* while run_with_renderer() runs */

@@ -66,7 +66,7 @@ static void points_win_over_lines_and_lines_over_surfaces(void **state) {
     assert_int_equal(pick_at(items, 3, &camera, 100, 120, 6).id, 1);
 
     /* What the surface hides is out of reach, unless it shows through. */
-    camera.yaw = PI;
+    camera.yaw = KG_PI;
     kg_shape *cover = square_at(20, 80);
     kg_item covered[4] = {items[0], items[1], items[2], item_of(cover, blue, 9)};
     assert_int_equal(pick_at(covered, 4, &camera, 60, 100, 6).id, 9);

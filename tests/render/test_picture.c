@@ -16,7 +16,7 @@ static void silhouette_of_a_cube_has_its_area(void **state) {
     kg_image image = picture(&scene, &camera);
     assert_near(darkness(&image), 60 * 60, 60);
     kg_image_destroy(&image);
-    camera.yaw = 0.25 * PI; /* a diagonal wide */
+    camera.yaw = 0.25 * KG_PI; /* a diagonal wide */
     image = picture(&scene, &camera);
     assert_near(darkness(&image), 60 * 60 * sqrt(2), 2 * 60);
     for (int i = 0; i < SIZE * SIZE; i++)
@@ -36,7 +36,7 @@ static void both_sides_have_their_own_colour(void **state) {
     assert_pixel(&image, 100, 100, red);
     assert_pixel(&image, 10, 10, white);
     kg_image_destroy(&image);
-    camera.yaw = PI;
+    camera.yaw = KG_PI;
     image = picture(&scene, &camera);
     assert_pixel(&image, 100, 100, blue);
     kg_image_destroy(&image);
@@ -53,7 +53,7 @@ static void shaded_fronts_are_darker_than_backs(void **state) {
     for (double turn = -1.2; turn < 1.3; turn += 0.3) {
         int sum[2] = {0};
         for (int side = 0; side < 2; side++) {
-            camera.yaw = turn + side * PI;
+            camera.yaw = turn + side * KG_PI;
             kg_image image = picture(&scene, &camera);
             for (int c = 0; c < 3; c++)
                 sum[side] += at(&image, 100, 100)[c];
@@ -136,7 +136,7 @@ static void a_line_has_its_width_and_dashes(void **state) {
     kg_camera camera = front_camera();
     for (float width = 1; width < 9; width *= 2) {
         item.style.size_px = width;
-        double round_ends = 0.25 * PI * (double)(width * width);
+        double round_ends = 0.25 * KG_PI * (double)(width * width);
         assert_near(darkness_of(&item, 1, &camera), 130 * (double)width + round_ends, 8);
     }
     item.style.size_px = 2;
@@ -212,7 +212,7 @@ static void points_are_discs_or_squares(void **state) {
     kg_item item = item_of(s, black, 1);
     kg_camera camera = front_camera();
     item.style.size_px = 12;
-    assert_near(darkness_of(&item, 1, &camera), 3 * 36 * PI, 6);
+    assert_near(darkness_of(&item, 1, &camera), 3 * 36 * KG_PI, 6);
     item.style.square = true;
     assert_near(darkness_of(&item, 1, &camera), 3 * 144, 6);
     kg_shape_destroy(s);
@@ -253,11 +253,11 @@ static void a_cube_shows_creases_or_only_its_contour(void **state) {
     }
     kg_surface s = {24, p, NULL, 12, t};
     kg_camera camera = front_camera();
-    camera.yaw = PI / 4;
+    camera.yaw = KG_PI / 4;
     camera.pitch = atan(sqrt(0.5)); /* all edges equally foreshortened */
     double edge = 80 * sqrt(2.0 / 3) * 2;
     assert_near(edge_darkness(&s, 1, &camera), 9 * edge, 0.4 * edge);
-    assert_near(edge_darkness(&s, PI, &camera), 6 * edge, 0.4 * edge);
+    assert_near(edge_darkness(&s, KG_PI, &camera), 6 * edge, 0.4 * edge);
 }
 
 static void an_open_sheet_shows_its_border(void **state) {
@@ -266,9 +266,9 @@ static void an_open_sheet_shows_its_border(void **state) {
     uint32_t t[6] = {0, 1, 2, 0, 2, 3};
     kg_surface s = {4, p, NULL, 2, t};
     kg_camera camera = front_camera();
-    assert_near(edge_darkness(&s, PI, &camera), 4 * 100 * 2, 20);
+    assert_near(edge_darkness(&s, KG_PI, &camera), 4 * 100 * 2, 20);
     t[4] = 3, t[5] = 2; /* the second triangle turned over: still no line between them */
-    assert_near(edge_darkness(&s, PI, &camera), 4 * 100 * 2, 20);
+    assert_near(edge_darkness(&s, KG_PI, &camera), 4 * 100 * 2, 20);
 }
 
 static void a_tube_shows_its_contour_from_every_side(void **state) {
@@ -277,7 +277,7 @@ static void a_tube_shows_its_contour_from_every_side(void **state) {
     kg_vec3 p[2 * N];
     uint32_t t[6 * N];
     for (uint32_t i = 0; i < N; i++) {
-        double a = 2 * PI * i / N;
+        double a = 2 * KG_PI * i / N;
         p[2 * i] = kg_v3(30 * cos(a), 30 * sin(a), -60);
         p[2 * i + 1] = kg_v3(30 * cos(a), 30 * sin(a), 60);
         uint32_t b = 2 * i, n = 2 * ((i + 1) % N);

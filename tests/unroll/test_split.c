@@ -33,7 +33,7 @@ static double total_area(const kg_net *net) {
 static bool fits(const kg_net_part *part, kg_vec2 room) {
     const kg_net_line *l = &part->loops[0].line;
     for (int k = 0; k < 1800; k++) {
-        double angle = acos(-1.0) * k / 1800, c = cos(angle), s = sin(angle);
+        double angle = KG_PI * k / 1800, c = cos(angle), s = sin(angle);
         kg_box2 box = kg_box2_empty();
         for (size_t i = 0; i < l->count; i++)
             kg_box2_add(&box, kg_v2(c * l->points[i].x - s * l->points[i].y,

@@ -236,7 +236,7 @@ static void the_tab_of_a_contact_takes_the_flatter_side(void **state) {
             assert_int_equal(j->kind, KG_JOIN_CONTACT);
             assert_sides_meet(&m, j);
             assert_tab_lies_on_the_other_part(&m, j, 0);
-            assert_true(fabs(j->fold[0]) <= acos(-1.0) / 2 + 1e-9);
+            assert_true(fabs(j->fold[0]) <= KG_PI / 2 + 1e-9);
             unmake(&m);
         }
 }
