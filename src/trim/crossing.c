@@ -79,7 +79,7 @@ static bool parallel(const kg_patch *a, const kg_patch *b) {
 }
 
 /* Is F singular along a curve because the surfaces are one on a piece? */
-static bool coincide(const kg_pair *pair, const kg_topology *t) {
+static bool coincide(const kg_ruled_pair *pair, const kg_topology *t) {
     enum { SAMPLES = 16 };
     size_t step = t->hubs.count / SAMPLES + 1;
     for (size_t i = 0; i < t->hubs.count; i += step) {
@@ -95,7 +95,7 @@ static kg_status find_general(kg_strips *a, kg_strips *b, double tolerance, kg_c
     kg_topology topology;
     if (!kg_topology_find(a, b, &topology))
         return kg_fail(error, KG_ERR_MEMORY, "not enough memory for the crossings");
-    kg_pair pair = {a->ruled, b->ruled, tolerance, SLACK};
+    kg_ruled_pair pair = {a->ruled, b->ruled, tolerance, SLACK};
     kg_status status = KG_OK;
     if (topology.crowded && coincide(&pair, &topology))
         status = kg_fail_coincident(error);
@@ -122,7 +122,7 @@ static kg_status find(const kg_patch *a, const kg_patch *b, double tolerance, kg
     else if (kg_strips_apart(&sa, 0, &sb, 0))
         status = KG_OK;
     else if (parallel(a, b)) {
-        kg_pair pair = {sa.ruled, sb.ruled, tolerance, SLACK};
+        kg_ruled_pair pair = {sa.ruled, sb.ruled, tolerance, SLACK};
         status = kg_parallel_find(&pair, out, error);
     } else
         status = find_general(&sa, &sb, tolerance, out, error);

@@ -143,15 +143,16 @@ typedef struct kg_sample {
     unsigned out;             /* sides it lies beyond */
 } kg_sample;
 
-typedef struct kg_pair {
+typedef struct kg_ruled_pair {
     kg_ruled a, b;
     double tolerance;
     double slack; /* v, t, and u, s by the size: what is within this of a side is on it */
-} kg_pair;
+} kg_ruled_pair;
 
 /* The point of two lines at (v,t), where F = 0; its tangent runs in the direction of growing v
  * (KG_ARC_OVER_V) or t (KG_ARC_OVER_T) if `direction` is 1. */
-kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind kind, int direction);
+kg_sample kg_cross_sample(const kg_ruled_pair *pair, double v, double t, kg_arc_kind kind,
+                          int direction);
 
 /* |p'| */
 double kg_ruled_speed(const kg_ruled *ruled, double v);
@@ -160,7 +161,7 @@ double kg_ruled_speed(const kg_ruled *ruled, double v);
 void kg_line_unit(const kg_line *line, kg_vec3 *out_d, kg_vec3 *out_dd);
 
 /* F with its derivatives. */
-double kg_pair_value(const kg_line *a, const kg_line *b, double *out_v, double *out_t);
+double kg_cross_value(const kg_line *a, const kg_line *b, double *out_v, double *out_t);
 
 /* The number of samples so far with a growing list. */
 typedef struct kg_path {
@@ -175,20 +176,21 @@ typedef struct kg_path {
 } kg_path;
 
 /* Traces all chains of arcs and appends what lies inside both rectangles. */
-bool kg_trace(const kg_pair *pair, const kg_topology *topology, kg_crossings *out);
+bool kg_trace(const kg_ruled_pair *pair, const kg_topology *topology, kg_crossings *out);
 
 /* Appends a branch of `count` samples. */
-bool kg_crossings_add(kg_crossings *crossings, const kg_pair *pair, const kg_sample *samples,
+bool kg_crossings_add(kg_crossings *crossings, const kg_ruled_pair *pair, const kg_sample *samples,
                       size_t count, bool closed);
 
 /* ---- degenerate pairs ------------------------------------------------------------------ */
 
 /* Patches with constant, parallel rulings: crossings of their cross-sections. */
-kg_status kg_parallel_find(const kg_pair *pair, kg_crossings *out, kg_error *error) KG_CHECKED;
+kg_status kg_parallel_find(const kg_ruled_pair *pair, kg_crossings *out,
+                           kg_error *error) KG_CHECKED;
 
 /* Appends the stretch of a ruling that the rulings v of A and t of B share inside both
  * rectangles, if any. */
-bool kg_shared_ruling(const kg_pair *pair, double v, double t, kg_crossings *out);
+bool kg_shared_ruling(const kg_ruled_pair *pair, double v, double t, kg_crossings *out);
 
 /* Two straight patches in one plane. */
 bool kg_coplanar(const kg_patch *a, const kg_patch *b);

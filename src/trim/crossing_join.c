@@ -98,9 +98,9 @@ static bool saddle(const kg_strips *a, const kg_strips *b, const double v[2], co
         double g[2], gv[2], gt[2];
         kg_line x = kg_ruled_line(&a->ruled, at.x), y = kg_ruled_line(&b->ruled, at.y);
         kg_line dx = kg_ruled_line(&a->ruled, at.x + h), dy = kg_ruled_line(&b->ruled, at.y + h);
-        kg_pair_value(&x, &y, &g[0], &g[1]);
-        kg_pair_value(&dx, &y, &gv[0], &gv[1]);
-        kg_pair_value(&x, &dy, &gt[0], &gt[1]);
+        kg_cross_value(&x, &y, &g[0], &g[1]);
+        kg_cross_value(&dx, &y, &gv[0], &gv[1]);
+        kg_cross_value(&x, &dy, &gt[0], &gt[1]);
         kg_vec2 cv = kg_v2((gv[0] - g[0]) / h, (gv[1] - g[1]) / h);
         kg_vec2 ct = kg_v2((gt[0] - g[0]) / h, (gt[1] - g[1]) / h);
         double det = kg_cross2(cv, ct);

@@ -160,7 +160,7 @@ static int by_place(const void *x, const void *y) {
     return a->x != b->x ? (a->x < b->x ? -1 : 1) : a->y < b->y ? -1 : a->y > b->y;
 }
 
-kg_status kg_parallel_find(const kg_pair *pair, kg_crossings *out, kg_error *error) {
+kg_status kg_parallel_find(const kg_ruled_pair *pair, kg_crossings *out, kg_error *error) {
     kg_vec3 d = kg_unit(pair->a.patch->rulings[0]);
     kg_vec3 x = fabs(d.x) < 0.6 ? kg_v3(1, 0, 0) : kg_v3(0, 1, 0);
     x = kg_unit(kg_madd(x, -kg_dot(x, d), d));
@@ -182,7 +182,7 @@ kg_status kg_parallel_find(const kg_pair *pair, kg_crossings *out, kg_error *err
     return status;
 }
 
-bool kg_shared_ruling(const kg_pair *pair, double v, double t, kg_crossings *out) {
+bool kg_shared_ruling(const kg_ruled_pair *pair, double v, double t, kg_crossings *out) {
     const double slack = 1e-9, slack_mm = pair->slack * pair->a.size;
     if (!(v >= -slack && v <= 1 + slack && t >= -slack && t <= 1 + slack))
         return true;

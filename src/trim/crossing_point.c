@@ -52,15 +52,15 @@ static kg_cross_point along_rulings(const kg_ruled *a, const kg_ruled *b, const 
     double reach = fmax(fabs(q->v - p->v), fabs(q->t - p->t)), v = at.v, t = at.t;
     for (int i = 0; i < 100; i++) {
         kg_line x = kg_ruled_line(a, v), y = kg_ruled_line(b, t);
-        double fv, ft, f = kg_pair_value(&x, &y, &fv, &ft), step = f / (over_v ? ft : fv);
+        double fv, ft, f = kg_cross_value(&x, &y, &fv, &ft), step = f / (over_v ? ft : fv);
         if (f == 0 || !isfinite(step))
             break;
         *(over_v ? &t : &v) -= step;
         if (fabs(step) < 1e-14)
             break;
     }
-    kg_pair pair = {*a, *b, 0, 0};
-    kg_sample s = kg_pair_sample(&pair, v, t, KG_ARC_OVER_V, 1);
+    kg_ruled_pair pair = {*a, *b, 0, 0};
+    kg_sample s = kg_cross_sample(&pair, v, t, KG_ARC_OVER_V, 1);
     bool near = fabs(v - at.v) <= reach && fabs(t - at.t) <= reach;
     return near && kg_dist(s.at.x, at.x) <= kg_dist(p->x, q->x) ? s.at : at;
 }

@@ -34,7 +34,7 @@ kg_line kg_ruled_line(const kg_ruled *ruled, double v) {
     return l;
 }
 
-double kg_pair_value(const kg_line *a, const kg_line *b, double *out_v, double *out_t) {
+double kg_cross_value(const kg_line *a, const kg_line *b, double *out_v, double *out_t) {
     kg_vec3 gap = kg_sub(b->p, a->p), rr = kg_cross(a->r, b->r);
     *out_v = kg_dot(kg_cross(a->dr, b->r), gap) - kg_dot(rr, a->dp);
     *out_t = kg_dot(kg_cross(a->r, b->dr), gap) + kg_dot(rr, b->dp);
@@ -75,7 +75,8 @@ static unsigned beyond(double x, const double side[2], unsigned lo) {
 
 static const double unit_side[2] = {0, 1};
 
-kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind kind, int direction) {
+kg_sample kg_cross_sample(const kg_ruled_pair *pair, double v, double t, kg_arc_kind kind,
+                          int direction) {
     v = onto_side(v, unit_side, pair->slack);
     t = onto_side(t, unit_side, pair->slack);
     kg_line a = kg_ruled_line(&pair->a, v), b = kg_ruled_line(&pair->b, t);
@@ -101,7 +102,7 @@ kg_sample kg_pair_sample(const kg_pair *pair, double v, double t, kg_arc_kind ki
 
     /* along F = const: (v', t') ∥ (-F_t, F_v); u', s' from the equal tangent of both surfaces */
     double fv, ft;
-    kg_pair_value(&a, &b, &fv, &ft);
+    kg_cross_value(&a, &b, &fv, &ft);
     double dv = -ft, dt = fv;
     if ((kind == KG_ARC_OVER_V ? dv : dt) * direction < 0)
         dv = -dv, dt = -dt;

@@ -32,7 +32,7 @@ enum { MAX_DEPTH = 40, MAX_HALVINGS = 1 << 17 };
 enum { COORDINATES = 4 };
 
 typedef struct tracer {
-    const kg_pair *pair;
+    const kg_ruled_pair *pair;
     const kg_arc *arc;
     int direction;
     int halvings; /* so far */
@@ -51,7 +51,7 @@ static void set_coordinate(kg_cross_point *p, int k, double x) {
 }
 
 /* The value of side bit `lo << high` of coordinate k. */
-static double side_value(const kg_pair *pair, int k, int high) {
+static double side_value(const kg_ruled_pair *pair, int k, int high) {
     return k == 0   ? pair->a.patch->extent[high]
            : k == 2 ? pair->b.patch->extent[high]
                     : (double)high;
@@ -73,7 +73,7 @@ static kg_sample arc_point(const tracer *tr, double w, double guess) {
         kg_line line = kg_ruled_line(moving, x);
         double fv, ft;
         double f =
-            over_v ? kg_pair_value(&at, &line, &fv, &ft) : kg_pair_value(&line, &at, &fv, &ft);
+            over_v ? kg_cross_value(&at, &line, &fv, &ft) : kg_cross_value(&line, &at, &fv, &ft);
         if (f * arc->slope > 0)
             hi = x;
         else
@@ -86,7 +86,7 @@ static kg_sample arc_point(const tracer *tr, double w, double guess) {
         }
         x = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
     }
-    return kg_pair_sample(tr->pair, over_v ? w : x, over_v ? x : w, arc->kind, tr->direction);
+    return kg_cross_sample(tr->pair, over_v ? w : x, over_v ? x : w, arc->kind, tr->direction);
 }
 
 static double parameter(const tracer *tr, const kg_sample *s) {
@@ -172,7 +172,7 @@ static void reach(const kg_sample *p, const kg_sample *q, int k, double out[2]) 
 }
 
 /* Coordinate steps that no rounding or interpolation makes, in units of coordinate k. */
-static double unit_of(const kg_pair *pair, int k) {
+static double unit_of(const kg_ruled_pair *pair, int k) {
     return (k & 1) ? pair->tolerance / pair->a.size : pair->tolerance;
 }
 
@@ -242,7 +242,7 @@ static bool emit(tracer *tr, const kg_sample *s, bool inside) {
 
 /* What is within the slack of a side is on it: a point on one side may be on others too, as on the
  * corners of mirrored patches. */
-static void snap(const kg_pair *pair, kg_sample *s) {
+static void snap(const kg_ruled_pair *pair, kg_sample *s) {
     for (int k = 0; k < COORDINATES; k++)
         for (int high = 0; high < 2; high++) {
             double side = side_value(pair, k, high),
@@ -259,7 +259,7 @@ static void snap(const kg_pair *pair, kg_sample *s) {
 static kg_sample side_point(const tracer *tr, const kg_sample *p, const kg_sample *q, int k,
                             double side) {
     /* no slack here: it would stop the iteration early */
-    kg_pair exact = *tr->pair;
+    kg_ruled_pair exact = *tr->pair;
     exact.slack = 0;
     tracer strict = {.pair = &exact, .arc = tr->arc, .direction = tr->direction};
     kg_sample ends[2] = {*p, *q}, s = *p;
@@ -395,7 +395,7 @@ static bool trace_halved(tracer *tr, const kg_sample *p, const kg_sample *q) {
 
 static kg_sample end_point(const tracer *tr, const kg_arc_end *e) {
     if (tr->arc->kind == KG_ARC_SHORT)
-        return kg_pair_sample(tr->pair, e->v, e->t, KG_ARC_OVER_V, 1);
+        return kg_cross_sample(tr->pair, e->v, e->t, KG_ARC_OVER_V, 1);
     return tr->arc->kind == KG_ARC_OVER_V ? arc_point(tr, e->v, e->t) : arc_point(tr, e->t, e->v);
 }
 
@@ -438,7 +438,7 @@ static bool trace_arc(tracer *tr, const kg_topology *t, const kg_arc *arc, int f
 
 /* ---- branches -------------------------------------------------------------------------- */
 
-static unsigned sides_at(const kg_pair *pair, const kg_cross_point *p) {
+static unsigned sides_at(const kg_ruled_pair *pair, const kg_cross_point *p) {
     unsigned sides = 0;
     for (int k = 0; k < COORDINATES; k++)
         for (int high = 0; high < 2; high++)
@@ -447,7 +447,7 @@ static unsigned sides_at(const kg_pair *pair, const kg_cross_point *p) {
     return sides;
 }
 
-bool kg_crossings_add(kg_crossings *crossings, const kg_pair *pair, const kg_sample *samples,
+bool kg_crossings_add(kg_crossings *crossings, const kg_ruled_pair *pair, const kg_sample *samples,
                       size_t count, bool closed) {
     double length = 0;
     for (size_t i = 1; i < count; i++)
@@ -483,7 +483,7 @@ bool kg_crossings_add(kg_crossings *crossings, const kg_pair *pair, const kg_sam
 }
 
 /* Cuts a path into its stretches of inside spans. A closed path starts where it is outside. */
-static bool cut(const kg_pair *pair, const kg_path *path, bool closed, kg_crossings *out) {
+static bool cut(const kg_ruled_pair *pair, const kg_path *path, bool closed, kg_crossings *out) {
     size_t count = path->samples.count, start = 0;
     const bool *inside = path->inside.items;
     if (closed) {
@@ -539,7 +539,7 @@ static bool trace_chain(tracer *tr, const kg_topology *t, bool *done, int first,
     return cut(tr->pair, &tr->path, closed, out);
 }
 
-bool kg_trace(const kg_pair *pair, const kg_topology *topology, kg_crossings *out) {
+bool kg_trace(const kg_ruled_pair *pair, const kg_topology *topology, kg_crossings *out) {
     size_t count = topology->arcs.count;
     if (count == 0)
         return true;
