@@ -141,6 +141,7 @@ static void hover(kg_net_view *v, kg_editor *e, kg_vec2 px) {
     e->hover_patch =
         v->hover_part >= 0 && kg_editor_model(e) ? part_of(v, v->hover_part)->source : 0;
     e->hover_seam[0] = e->hover_seam[1] = 0;
+    e->hover_seam_placed = false;
     if (v->hover_join < 0 || !kg_editor_model(e))
         return;
     const kg_net_join *join = &kg_net_state_picture(v->state)->net.net->joins[v->hover_join];

@@ -73,27 +73,33 @@ static bool look_at(const kg_solved_patch *patch, const kg_region_loop *loop,
     return true;
 }
 
+/* The same cut on two patches differs by the chords of both. */
+#define NEAR (4 * KG_EDITOR_CHORD)
+
+static bool goes_through(const kg_region_loop *loop, const kg_region_edge *edge, kg_vec3 place) {
+    for (size_t i = 1; i <= edge->count; i++) {
+        kg_vec3 a = kg_region_edge_point(loop, edge, i - 1).x,
+                b = kg_region_edge_point(loop, edge, i).x, d = kg_sub(b, a);
+        double n = kg_dot(d, d), f = n > 0 ? kg_dot(kg_sub(place, a), d) / n : 0;
+        if (kg_dist(kg_madd(a, fmin(fmax(f, 0), 1), d), place) <= NEAR)
+            return true;
+    }
+    return false;
+}
+
 /* A patch whose edge by the same source goes through a place: behind a construction patch that
  * separates two. */
 typedef struct partner {
     int64_t source, found;
     kg_vec3 place;
-    double near;
 } partner;
 
 static bool is_partner(const kg_solved_patch *patch, const kg_region_loop *loop,
                        const kg_region_edge *edge, void *data) {
     partner *p = data;
-    for (size_t i = 1; i <= edge->count && edge->source == p->source; i++) {
-        kg_vec3 a = kg_region_edge_point(loop, edge, i - 1).x,
-                b = kg_region_edge_point(loop, edge, i).x, d = kg_sub(b, a);
-        double n = kg_dot(d, d), f = n > 0 ? kg_dot(kg_sub(p->place, a), d) / n : 0;
-        if (kg_dist(kg_madd(a, fmin(fmax(f, 0), 1), d), p->place) <= p->near) {
-            p->found = patch->id;
-            return false;
-        }
-    }
-    return true;
+    if (edge->source == p->source && goes_through(loop, edge, p->place))
+        p->found = patch->id;
+    return !p->found;
 }
 
 static int64_t other_side(const kg_editor *e, const search *s) {
@@ -101,7 +107,7 @@ static int64_t other_side(const kg_editor *e, const search *s) {
     const kg_solved_patch *cutter = kg_solution_find(solution, s->source);
     if (!cutter || !cutter->construction)
         return s->source;
-    partner p = {s->source, 0, s->place, 4 * KG_EDITOR_CHORD};
+    partner p = {s->source, 0, s->place};
     for (size_t i = 0; i < kg_solution_count(solution) && !p.found; i++)
         if (kg_solution_patch(solution, i)->id != s->patch)
             visit_edges(kg_solution_patch(solution, i), is_partner, &p);
@@ -124,6 +130,8 @@ void kg_seam_hover(kg_editor *e, kg_vec2 px) {
         return;
     e->hover_seam[0] = s.patch;
     e->hover_seam[1] = other_side(e, &s);
+    e->hover_seam_placed = true;
+    e->hover_seam_place = s.place;
     if (e->hover_patch != e->hover_seam[1])
         e->hover_patch = s.patch;
 }
@@ -155,6 +163,8 @@ static bool draw_edge(const kg_solved_patch *patch, const kg_region_loop *loop,
                       const kg_region_edge *edge, void *data) {
     (void)patch;
     drawing *d = data;
+    if (d->editor->hover_seam_placed && !goes_through(loop, edge, d->editor->hover_seam_place))
+        return true;
     const kg_solution *solution = kg_editor_solution(d->editor);
     const kg_solved_patch *cutter = kg_solution_find(solution, edge->source);
     shared both = {edge->source, edge->source == d->other};
