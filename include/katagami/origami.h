@@ -55,6 +55,8 @@ typedef struct kg_paper_loop {
     int32_t first; /* one of its half-edges */
     int32_t sheet;
     int32_t group;
+    int32_t parent; /* the loop it was cut off by a fold, of lower index, which goes on as the rest;
+                       -1: it was there from the start */
 } kg_paper_loop;
 
 /* A plane that loops lie in: { x : normal · x = offset }. */

@@ -8,35 +8,8 @@ static kg_vec2 paper_at(const kg_origami_state *s, int32_t half) {
     return s->vertices.items[s->halves.items[half].origin].paper;
 }
 
-static bool holds(const kg_origami_state *s, size_t loop, kg_vec2 p) {
-    int32_t first = s->loops.items[loop].first, h = first;
-    do {
-        int32_t next = kg_next(s, h);
-        if (kg_cross2(kg_sub2(paper_at(s, next), paper_at(s, h)), kg_sub2(p, paper_at(s, h))) <= 0)
-            return false;
-        h = next;
-    } while (h != first);
-    return true;
-}
-
-/* The loop of an earlier state that a loop was part of. */
-static size_t parent_of(const kg_origami_state *s, size_t loop, const kg_origami_state *earlier) {
-    kg_vec2 sum = kg_v2(0, 0);
-    double count = 0;
-    int32_t first = s->loops.items[loop].first, h = first;
-    do {
-        sum = kg_add2(sum, paper_at(s, h));
-        count++;
-    } while ((h = kg_next(s, h)) != first);
-    sum = kg_scale2(sum, 1 / count);
-    for (size_t i = 0; i < earlier->loops.count; i++)
-        if (earlier->loops.items[i].sheet == s->loops.items[loop].sheet && holds(earlier, i, sum))
-            return i;
-    return loop < earlier->loops.count ? loop : 0;
-}
-
 /* Takes a point of the paper to where a loop has it, by the loop's longest side. */
-static kg_vec3 in_space(const kg_origami_state *s, size_t loop, kg_vec2 paper) {
+static kg_vec3 in_space(const kg_origami_state *s, int32_t loop, kg_vec2 paper) {
     int32_t first = s->loops.items[loop].first, h = first, best = first;
     double most = -1;
     do {
@@ -47,7 +20,7 @@ static kg_vec3 in_space(const kg_origami_state *s, size_t loop, kg_vec2 paper) {
     kg_vec2 from = paper_at(s, best), to = paper_at(s, kg_next(s, best)), r = kg_sub2(paper, from);
     kg_vec2 along = kg_scale2(kg_sub2(to, from), 1 / most);
     kg_vec3 p = *kg_origin(s, best), x = kg_unit(kg_sub(*kg_origin(s, kg_next(s, best)), p)),
-            y = kg_cross(kg_origami_normal(s, (int32_t)loop), x);
+            y = kg_cross(kg_origami_normal(s, loop), x);
     return kg_madd(kg_madd(p, kg_dot2(along, r), x), kg_cross2(along, r), y);
 }
 
@@ -61,7 +34,7 @@ static kg_status find_corners(const kg_origami_state *s, const kg_origami_state 
     size_t n = 0;
     for (size_t i = 0; i < s->loops.count && !status; i++) {
         bool same = earlier == s;
-        size_t parent = same ? i : parent_of(s, i, earlier);
+        int32_t parent = kg_loop_in(earlier, s, (int32_t)i);
         int32_t first = earlier->loops.items[parent].first, h = first;
         kg_vec3 up = earlier->groups.items[earlier->loops.items[parent].group].normal;
         double mean = 0, count = 0;

@@ -1,45 +1,9 @@
 /* States just before a fold, with the topology after it. */
 #include "guide/diagram.h"
 
-#include "origami/convex.h"
+#include "origami/state.h"
 
 #include <stdlib.h>
-
-static kg_vec2 paper_at(const kg_origami_state *s, int32_t half) {
-    return s->vertices.items[s->halves.items[half].origin].paper;
-}
-
-static bool holds(const kg_origami_state *s, int32_t loop, kg_vec2 p) {
-    int32_t first = s->loops.items[loop].first, h = first;
-    do {
-        int32_t next = s->halves.items[h].next;
-        if (kg_cross2(kg_sub2(paper_at(s, next), paper_at(s, h)), kg_sub2(p, paper_at(s, h))) <= 0)
-            return false;
-        h = next;
-    } while (h != first);
-    return true;
-}
-
-/* The loop before the fold that a loop was part of. */
-static int32_t parent_of(const kg_moment *m, size_t loop) {
-    const kg_origami_state *s = m->topology;
-    if (loop < m->layers->loops.count)
-        return (int32_t)loop;
-    kg_vec2 sum = kg_v2(0, 0);
-    double count = 0;
-    int32_t first = s->loops.items[loop].first, h = first;
-    do {
-        sum = kg_add2(sum, paper_at(s, h));
-        count++;
-    } while ((h = s->halves.items[h].next) != first);
-    sum = kg_scale2(sum, 1 / count);
-    /* loops keep the side that rests, but the layers' ones are whole */
-    for (size_t i = 0; i < m->layers->loops.count; i++)
-        if (m->layers->loops.items[i].sheet == s->loops.items[loop].sheet &&
-            holds(m->layers, (int32_t)i, sum))
-            return (int32_t)i;
-    return 0;
-}
 
 /* Corners of cut loops take over the mean height of the whole. */
 static kg_status find_heights(kg_moment *m, kg_error *error) {
@@ -92,7 +56,7 @@ kg_status kg_moment_create(const kg_origami *o, size_t step, kg_moment *out, kg_
             m.moves[loop] = true;
     }
     for (size_t i = 0; i < s->loops.count && !status; i++)
-        m.parents[i] = parent_of(&m, i);
+        m.parents[i] = kg_loop_in(m.layers, s, (int32_t)i);
     if (!status)
         status = find_heights(&m, error);
     if (status) {

@@ -182,7 +182,7 @@ static kg_status add_loop(kg_origami_state *s, int32_t sheet, const int32_t *c, 
         last = found->half;
     }
     s->halves.items[last].next = first;
-    kg_paper_loop l = {first, sheet, 0};
+    kg_paper_loop l = {first, sheet, 0, -1};
     return kg_push(&s->loops, l) ? KG_OK : KG_ERR_MEMORY;
 }
 

@@ -6,6 +6,7 @@
 /* ---- cutting along the axis ------------------------------------------------------------- */
 
 typedef struct cutting {
+    const kg_origami_state *before;
     kg_origami_state *state; /* after */
     struct {
         signed char *items; /* of vertices, as in kg_folding */
@@ -58,24 +59,25 @@ static void cutting_clear(cutting *c) {
     kg_state_destroy(c->state);
     free(c->sides.items);
     free(c->parts.children);
-    free(c->parts.parents);
     free(c->parts.moves);
+}
+
+static int32_t loop_before(const cutting *c, int32_t loop) {
+    return kg_loop_in(c->before, c->state, loop);
 }
 
 static kg_status cut_loops(const kg_folding *f, cutting *c) {
     size_t loops = f->state->loops.count, vertices = f->state->vertices.count;
+    c->before = f->state;
     c->state = kg_state_copy(f->state, false);
     c->parts.children = malloc((loops + 1) * sizeof *c->parts.children);
-    c->parts.parents = malloc((2 * loops + 1) * sizeof *c->parts.parents);
     c->parts.moves = calloc(2 * loops + 1, sizeof *c->parts.moves);
-    if (!c->state || !c->parts.children || !c->parts.parents || !c->parts.moves ||
-        !kg_reserve(&c->sides, vertices))
+    if (!c->state || !c->parts.children || !c->parts.moves || !kg_reserve(&c->sides, vertices))
         return KG_ERR_MEMORY;
     for (size_t i = 0; i < vertices; i++)
         c->sides.items[c->sides.count++] = f->sides[i];
     for (size_t i = 0; i < loops; i++) {
         c->parts.children[i] = -1;
-        c->parts.parents[i] = (int32_t)i;
         c->parts.moves[i] = f->moves[i];
     }
     for (size_t i = 0; i < loops; i++) {
@@ -86,7 +88,6 @@ static kg_status cut_loops(const kg_folding *f, cutting *c) {
             return status;
         int32_t child = c->parts.children[i];
         if (child >= 0) {
-            c->parts.parents[child] = (int32_t)i;
             c->parts.moves[child] = true;
             c->parts.moves[i] = false;
         }
@@ -117,9 +118,8 @@ static kg_status turn_edges(cutting *c, const kg_fold_axis *a, kg_fold_blame *bl
         kg_paper_edge *edge = &s->edges.items[e];
         double angle = edge->angle + copysign(fabs(a->angle), towards);
         if (fabs(angle) > KG_PI + KG_LEAST_ANGLE) {
-            *blame = (kg_fold_blame){KG_FOLD_AT_EDGE,
-                                     {c->parts.parents[x], c->parts.parents[y]},
-                                     KG_PI - fabs(edge->angle)};
+            *blame = (kg_fold_blame){
+                KG_FOLD_AT_EDGE, {loop_before(c, x), loop_before(c, y)}, KG_PI - fabs(edge->angle)};
             return kg_fail(error, KG_ERR_INPUT,
                            "faces %d and %d would pass through each other at their common edge",
                            blame->faces[0], blame->faces[1]);
@@ -219,9 +219,8 @@ static kg_status check_sweep(const cutting *c, const kg_fold_axis *a, kg_fold_bl
     }
     kg_status status = kg_sweep(c->state, a, c->parts.moves, &collides, &hit);
     if (!status && collides) {
-        *blame = (kg_fold_blame){KG_FOLD_IN_WAY,
-                                 {c->parts.parents[hit.moving], c->parts.parents[hit.resting]},
-                                 hit.angle};
+        *blame = (kg_fold_blame){
+            KG_FOLD_IN_WAY, {loop_before(c, hit.moving), loop_before(c, hit.resting)}, hit.angle};
         return kg_fail(error, KG_ERR_INPUT,
                        "the fold would pass through paper: face %d meets face %d at %.4g degrees",
                        blame->faces[0], blame->faces[1], hit.angle * 180 / KG_PI);

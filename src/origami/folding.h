@@ -66,7 +66,6 @@ kg_status kg_sweep(const kg_origami_state *state, const kg_fold_axis *axis, cons
 /* What becomes of each loop when those across the axis are cut. */
 typedef struct kg_fold_parts {
     int32_t *children; /* per loop of the state before: its moving part, -1 when not cut */
-    int32_t *parents;  /* per loop after: where it comes from */
     bool *moves;       /* per loop after */
 } kg_fold_parts;
 

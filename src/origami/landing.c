@@ -21,6 +21,10 @@ static bool is_flat(const kg_fold_axis *a) {
     return fabs(fabs(a->angle) - KG_PI) < KG_LEAST_ANGLE;
 }
 
+static int32_t loop_before(const landing *l, int32_t loop) {
+    return kg_loop_in(l->folding->state, l->after, loop);
+}
+
 /* b lies above (1) or below (-1) a */
 static void put(landing *l, int32_t a, int32_t b, int above) {
     if (a < b)
@@ -170,7 +174,7 @@ static kg_status land_loop(landing *l, int32_t moving, const int32_t between[2],
     bool through_axis = fabs(kg_dot(g->normal, a->axis)) < KG_ON_PLANE &&
                         fabs(kg_dot(g->normal, a->origin) - g->offset) < KG_ON_PLANE * s->size;
     bool own = is_flat(a) && group == a->group &&
-               l->folding->state->loops.items[l->parts->parents[moving]].group == a->group;
+               l->folding->state->loops.items[loop_before(l, moving)].group == a->group;
     /* in a plane through the axis it arrives the same way everywhere */
     int common = through_axis ? arrival_at(l, moving, l->outlines.middles[moving]) : 0;
     for (size_t i = 0; i < l->resting_count; i++) {
@@ -186,13 +190,13 @@ static kg_status land_loop(landing *l, int32_t moving, const int32_t between[2],
             above = l->upper[resting] ? -1 : 1;
             *inserted |= resting == between[0] || resting == between[1];
         } else if (above == 0) { /* it slid: an old order holds */
-            int32_t old = l->parts->parents[resting];
-            above = kg_origami_order(l->folding->state, old, l->parts->parents[moving]) *
+            int32_t old = loop_before(l, resting);
+            above = kg_origami_order(l->folding->state, old, loop_before(l, moving)) *
                     l->outlines.facing[resting];
             if (above == 0)
                 return kg_fail(l->error, KG_ERR_INPUT,
                                "face %d would slide edge on into face %d, in its plane",
-                               l->parts->parents[moving], old);
+                               loop_before(l, moving), old);
         }
         *elsewhere |= !own;
         put(l, resting, moving, above);

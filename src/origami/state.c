@@ -176,6 +176,7 @@ kg_status kg_state_split_loop(kg_origami_state *s, int32_t h, int32_t k) {
     s->edges.items[s->edges.count++] = (kg_paper_edge){KG_PAPER_CREASE, 0};
     kg_paper_loop l = s->loops.items[loop];
     l.first = k;
+    l.parent = loop;
     s->loops.items[s->loops.count++] = l;
     s->loops.items[loop].first = h;
     for (int32_t i = k;;) {

@@ -76,6 +76,14 @@ static inline int32_t kg_loop_of(const kg_origami_state *s, int32_t half) {
     return s->halves.items[half].loop;
 }
 
+/* The loop of an earlier state of the same folding that `loop` was part of. */
+static inline int32_t kg_loop_in(const kg_origami_state *earlier, const kg_origami_state *s,
+                                 int32_t loop) {
+    while ((size_t)loop >= earlier->loops.count)
+        loop = s->loops.items[loop].parent;
+    return loop;
+}
+
 /* Sets size and touch from the paper coordinates. */
 void kg_state_measure(kg_origami_state *state);
 

@@ -1,5 +1,7 @@
 #include "tests/origami/stack.h"
 
+#include "tests/check.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -285,6 +287,14 @@ static bool same_numbers(const double *a, const double *b, size_t count) {
     return memcmp(a, b, count * sizeof *a) == 0;
 }
 
+void assert_sound(const kg_origami_state *s, double tolerance) {
+    const char *wrong = shape_check(s, tolerance);
+    if (!wrong)
+        wrong = stack_check(s);
+    if (wrong)
+        fail_msg("%s", wrong);
+}
+
 bool same_state(const kg_origami_state *a, const kg_origami_state *b) {
     bool same = a->vertices.count == b->vertices.count && a->halves.count == b->halves.count &&
                 a->loops.count == b->loops.count && a->groups.count == b->groups.count &&
@@ -303,7 +313,8 @@ bool same_state(const kg_origami_state *a, const kg_origami_state *b) {
     }
     for (size_t i = 0; same && i < a->loops.count; i++) {
         const kg_paper_loop *x = &a->loops.items[i], *y = &b->loops.items[i];
-        same = x->first == y->first && x->sheet == y->sheet && x->group == y->group;
+        same = x->first == y->first && x->sheet == y->sheet && x->group == y->group &&
+               x->parent == y->parent;
     }
     for (size_t i = 0; same && i < a->groups.count; i++)
         same = same_numbers(&a->groups.items[i].normal.x, &b->groups.items[i].normal.x, 3) &&

@@ -15,6 +15,9 @@ const char *stack_check(const kg_origami_state *state);
  * vertices in one place, fold angles as the faces lie, half-edges consistent. */
 const char *shape_check(const kg_origami_state *state, double tolerance);
 
+/* Neither of both is wrong. */
+void assert_sound(const kg_origami_state *state, double tolerance);
+
 /* All bits of two states are the same. */
 bool same_state(const kg_origami_state *a, const kg_origami_state *b);
 

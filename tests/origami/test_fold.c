@@ -1,17 +1,10 @@
 /* Folds: what moves, where it lands, what is refused. */
+#include "origami/state.h"
 #include "tests/check.h"
 #include "tests/origami/samples.h"
 #include "tests/origami/stack.h"
 
 #include <stdlib.h>
-
-static void assert_sound(const kg_origami_state *s) {
-    const char *wrong = shape_check(s, 1e-9);
-    if (!wrong)
-        wrong = stack_check(s);
-    if (wrong)
-        fail_msg("%s", wrong);
-}
 
 /* ---- single folds ----------------------------------------------------------------------- */
 
@@ -22,10 +15,10 @@ static void test_diagonal(void **user) {
     const kg_origami_state *s = last(o);
     assert_int_equal(s->loops.count, 2);
     assert_int_equal(s->orders.count, 1);
-    assert_sound(s);
+    assert_sound(s, 1e-9);
     assert_int_equal(kg_origami_order(s, 0, 1), 1); /* the moving part lies on the front */
     must_fold(o, fold_axis(kg_v3(0, 75, 0), kg_v3(150, 75, 0), kg_v3(0, 150, 0), -90));
-    assert_sound(last(o));
+    assert_sound(last(o), 1e-9);
     assert_int_equal(last(o)->loops.count, 4);
     kg_origami_destroy(o);
 }
@@ -50,6 +43,23 @@ static kg_fold random_fold(kg_random *r, const kg_origami_state *s) {
     }
     f.layers = (int32_t)(kg_random_bits(r) % 3);
     return f;
+}
+
+/* Every loop lies on the paper within the loop that it was part of at any time before. */
+static void assert_cut_from(const kg_origami_state *earlier, const kg_origami_state *s) {
+    for (size_t i = 0; i < s->loops.count; i++) {
+        kg_vec2 corners[64], whole[64], middle = {0, 0};
+        int32_t loop = kg_loop_in(earlier, s, (int32_t)i);
+        size_t n = kg_state_polygon(s, (int32_t)i, NULL, NULL, corners),
+               m = kg_state_polygon(earlier, loop, NULL, NULL, whole);
+        assert_true(n <= 64 && m <= 64);
+        for (size_t k = 0; k < n; k++)
+            middle = kg_add2(middle, kg_scale2(corners[k], 1 / (double)n));
+        for (size_t k = 0; k < m; k++)
+            assert_true(
+                kg_cross2(kg_sub2(whole[(k + 1) % m], whole[k]), kg_sub2(middle, whole[k])) > 0);
+        assert_int_equal(s->loops.items[i].sheet, earlier->loops.items[loop].sheet);
+    }
 }
 
 static void test_random(void **user) {
@@ -83,6 +93,8 @@ static void test_random(void **user) {
         }
         /* back to the start and forth again; and a replay */
         size_t steps = kg_origami_step(o);
+        for (size_t i = 0; i < steps; i++)
+            assert_cut_from(kg_origami_state_at(o, i), last(o));
         kg_origami *again = kg_origami_create();
         for (size_t i = 0; i < kg_origami_sheet_count(o); i++)
             assert_int_equal(kg_origami_add_sheet(again, kg_origami_sheet(o, i), NULL), KG_OK);
