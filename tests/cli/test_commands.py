@@ -316,6 +316,30 @@ def test_new_names_the_reference_from_where_the_model_is():
         assert json.loads(text)["reference"]["file"] == "mesh 形.obj", text
 
 
+def test_new_makes_empty_cards_and_sheets():
+    with folder():
+        succeed("new", "-o", "card.katagami", "--card", "20x10x8", "--cell", "5", "--title", "塔")
+        model = json.loads(pathlib.Path("card.katagami").read_text(encoding="utf-8"))
+        assert (model["kind"], model["title"], model["oa"]["size"], model["oa"]["cell_mm"]) == (
+            "oa", "塔", [20, 10, 8], 5), model
+        succeed("check", "card.katagami")
+        succeed("new", "-o", "wide.katagami", "--card", "80x40x40")
+        cell = json.loads(pathlib.Path("wide.katagami").read_text(encoding="utf-8"))["oa"]["cell_mm"]
+        assert cell * 80 <= 194, cell  # within an A4 and its margins
+        succeed("new", "-o", "sheet.katagami", "--sheet", "A4")
+        model = json.loads(pathlib.Path("sheet.katagami").read_text(encoding="utf-8"))
+        corners = model["origami"]["sheets"][0]["polygon"]
+        assert max(x for x, _ in corners) - min(x for x, _ in corners) == 210, corners
+        succeed("check", "sheet.katagami")
+        for words in (["--card", "20x10"], ["--card", "0x1x1"], ["--sheet", "none"],
+                      ["--sheet", "A4", "--cell", "2"], ["--card", "3x3x3", "--sheet", "A4"],
+                      ["--sheet", "A4", "--size", "10"]):
+            refuse(2, "new", "-o", "x.katagami", *words)
+        refuse(1, "new", "-o", "x.katagami", "--card", "9999x1x1")
+        refuse(1, "new", "-o", "x.katagami", "--sheet", "20000x5")
+        assert not os.path.exists("x.katagami")
+
+
 def test_an_empty_model_is_fine_until_it_is_to_be_cut_out():
     with folder({"katagami": 1, "kind": "patches"}):
         succeed("check", "m.katagami")

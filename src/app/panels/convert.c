@@ -90,18 +90,25 @@ static void start(kg_conversion *c, const kg_oa_options *options) {
 
 static kg_status draw(kg_app *app, const kg_mesh *mesh, const kg_area *area, kg_image *out,
                       kg_error *error) {
+    static const kg_color paper = {0.93F, 0.92F, 0.88F, 1}, ink = {0.2F, 0.2F, 0.22F, 1};
     kg_overlay overlay = {0};
     kg_surface surface;
+    kg_shape *edges = NULL;
     kg_camera camera = kg_camera_default();
     kg_camera_fit(&camera, kg_mesh_bounds(mesh), area->width / area->height);
     kg_status status = kg_surface_from_mesh(mesh, 0, mesh->face_count, CREASE, &surface, error);
     if (status)
         return status;
-    kg_overlay_surface(&overlay, &surface, kg_style_default((kg_color){0.93F, 0.92F, 0.88F, 1}));
+    kg_overlay_surface(&overlay, &surface, kg_style_default(paper));
+    status = kg_shape_from_edges(&surface, CREASE, &edges, error);
     kg_surface_destroy(&surface);
-    status = kg_scenery_thumbnail(app->stage, &overlay, &camera, (int)area->width,
-                                  (int)area->height, out, error);
+    if (!status) {
+        kg_overlay_item(&overlay, edges, kg_line_style(ink, 1));
+        status = kg_scenery_thumbnail(app->stage, &overlay, &camera, (int)area->width,
+                                      (int)area->height, out, error);
+    }
     kg_overlay_clear(&overlay);
+    kg_shape_destroy(edges);
     return status;
 }
 
@@ -265,9 +272,8 @@ void kg_panel_convert(kg_app *app) {
     if (d->open_conversion)
         kg_ui_popup_open(_("Card from a mesh"));
     d->open_conversion = false;
-    if (!kg_ui_modal_begin(_("Card from a mesh"), LEFT_WIDTH + PICTURE_WIDTH + 40)) {
+    if (!kg_ui_modal_begin(_("Card from a mesh"), LEFT_WIDTH + PICTURE_WIDTH + 40))
         return;
-    }
     const char *slash = strrchr(c->path, '/');
     kg_ui_text(slash ? slash + 1 : c->path);
     kg_ui_same_line();
