@@ -1,5 +1,7 @@
 #include "app/convert_job.h"
 
+#include "base/file.h"
+
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -23,19 +25,13 @@ void kg_converted_clear(kg_converted *c) {
     *c = (kg_converted){0};
 }
 
-static char *title_of(const char *path) {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    const char *dot = strrchr(name, '.');
-    return strndup(name, dot ? (size_t)(dot - name) : strlen(name));
-}
-
 kg_status kg_convert(const kg_mesh *mesh, const char *path, const kg_oa_options *options,
                      const kg_progress *progress, kg_document **out_document, kg_error *error) {
     kg_oa *oa;
     kg_status status = kg_oa_convert(mesh, options, progress, &oa, error);
     if (status)
         return status;
-    char *title = title_of(path);
+    char *title = kg_file_stem(path);
     if (!title) {
         kg_oa_destroy(oa);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");

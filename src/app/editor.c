@@ -4,12 +4,12 @@
 #include "app/text.h"
 #include "app/tools/tool.h"
 #include "base/array.h"
+#include "base/file.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* How long a message that is no fault is shown. */
 #define MESSAGE_SECONDS 8
@@ -319,13 +319,8 @@ kg_status kg_editor_new(kg_editor *e, kg_error *error) {
     return status ? status : kg_editor_take(e, document, NULL, error);
 }
 
-static bool ends_in(const char *path, const char *ending) {
-    size_t n = strlen(path), m = strlen(ending);
-    return n >= m && strcasecmp(path + n - m, ending) == 0;
-}
-
 const char *kg_editor_home(const char *path) {
-    return ends_in(path, ".fold") || ends_in(path, ".cp") ? NULL : path;
+    return kg_file_ends_in(path, ".fold") || kg_file_ends_in(path, ".cp") ? NULL : path;
 }
 
 kg_status kg_editor_open(kg_editor *e, const char *path, kg_error *error) {

@@ -2,10 +2,8 @@
 
 #include "app/modes/card_state.h"
 #include "app/modes/sheet_state.h"
+#include "base/file.h"
 #include "katagami/guide.h"
-
-#include <string.h>
-#include <strings.h>
 
 kg_status kg_export_net(kg_document *document, const kg_net_options *options, double tab_width,
                         const char *path, const kg_progress *progress, kg_error *error) {
@@ -56,20 +54,15 @@ static kg_status export_net(kg_document *document, const char *path, kg_error *e
 }
 
 bool kg_export_is_net(const char *path) {
-    const char *dot = strrchr(path, '.');
-    return dot && (strcasecmp(dot, ".svg") == 0 || strcasecmp(dot, ".pdf") == 0 ||
-                   strcasecmp(dot, ".dxf") == 0);
-}
-
-static bool ends_in(const char *path, const char *ending) {
-    size_t n = strlen(path), m = strlen(ending);
-    return n >= m && strcasecmp(path + n - m, ending) == 0;
+    return kg_file_ends_in(path, ".svg") || kg_file_ends_in(path, ".pdf") ||
+           kg_file_ends_in(path, ".dxf");
 }
 
 kg_status kg_export_copy(const kg_editor *e, const char *path, kg_document **out_copy,
                          kg_error *error) {
     const kg_card_state *card = kg_card_state_of(e);
-    bool moving = ends_in(path, ".gltf") || ends_in(path, ".glb"), pattern = ends_in(path, ".fold");
+    bool moving = kg_file_ends_in(path, ".gltf") || kg_file_ends_in(path, ".glb"),
+         pattern = kg_file_ends_in(path, ".fold");
     kg_status status = kg_document_copy(e->document, out_copy, error);
     if (status || moving || pattern)
         return status;

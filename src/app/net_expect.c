@@ -21,7 +21,7 @@ static kg_status expect_place(const kg_net_view *v, const kg_net_picture *p, con
         (size_t)number > p->net.net->part_count)
         return kg_fail(error, KG_ERR_INPUT, "net place needs PART PAGE X Y [DEGREES]");
     kg_net_placement is = kg_net_view_placement(v, (size_t)number - 1);
-    double degrees = is.angle * 180 / acos(-1.0);
+    double degrees = is.angle * 180 / KG_PI;
     bool same = is.page == page && kg_dist2(is.offset, kg_v2(x, y)) < 1e-3 &&
                 (isnan(angle) || fabs(remainder(degrees - angle, 360)) < 1e-3);
     return same ? KG_OK

@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-#define TURN_STEP (acos(-1.0) / 12) /* with Ctrl: 15 degrees */
+#define TURN_STEP (KG_PI / 12) /* with Ctrl: 15 degrees */
 
 static const double ZOOM_STEP = 1.15, LEAST_ZOOM = 0.05, MOST_ZOOM = 200;
 
@@ -101,7 +101,7 @@ static void drop(kg_net_view *v, kg_editor *e) {
     json_t *arguments = json_pack(
         "{s:I, s:I, s:i, s:f, s:f, s:f}", "patch", (json_int_t)part->source, "piece",
         (json_int_t)kg_pin_piece(net, (size_t)v->moved_part), "page", v->moved.page, "x",
-        v->moved.offset.x, "y", v->moved.offset.y, "angle_deg", v->moved.angle * 180 / acos(-1.0));
+        v->moved.offset.x, "y", v->moved.offset.y, "angle_deg", v->moved.angle * 180 / KG_PI);
     if (!arguments || kg_command_run(kg_command_find("net.pin"), e, arguments, &error))
         v->moved_part = -1; /* what went wrong has been shown */
     json_decref(arguments);

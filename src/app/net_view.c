@@ -151,7 +151,7 @@ kg_net_placement kg_net_view_turned(const kg_net_view *v, size_t part, double an
     kg_net_placement at = kg_net_view_placement(v, part);
     kg_vec2 middle = kg_scale2(middle_of(&p->net.net->parts[part]), p->layout->scale);
     kg_vec2 stays = kg_add2(at.offset, turned(middle, at.angle));
-    at.angle = remainder(at.angle + angle, 2 * acos(-1.0));
+    at.angle = remainder(at.angle + angle, 2 * KG_PI);
     at.offset = kg_sub2(stays, turned(middle, at.angle));
     return at;
 }

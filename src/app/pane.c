@@ -95,11 +95,10 @@ static void zoom(kg_pane *v, kg_vec2 at, double factor) {
 
 static void move(kg_pane *v, kg_vec2 to) {
     kg_vec2 by = kg_sub2(to, v->last);
-    double pi = acos(-1.0);
     if (v->drag == KG_DRAG_ORBIT) {
-        v->camera.yaw = remainder(v->camera.yaw - by.x / v->scale * ORBIT_SPEED, 2 * pi);
+        v->camera.yaw = remainder(v->camera.yaw - by.x / v->scale * ORBIT_SPEED, 2 * KG_PI);
         v->camera.pitch += by.y / v->scale * ORBIT_SPEED;
-        v->camera.pitch = fmin(fmax(v->camera.pitch, -pi / 2), pi / 2);
+        v->camera.pitch = fmin(fmax(v->camera.pitch, -KG_PI / 2), KG_PI / 2);
     } else if (v->drag == KG_DRAG_PAN) {
         kg_vec3 from = kg_pane_on_screen_plane(v, v->last, v->camera.center);
         kg_vec3 now = kg_pane_on_screen_plane(v, to, v->camera.center);

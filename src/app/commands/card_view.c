@@ -4,7 +4,7 @@
 #include "app/modes/card_state.h"
 #include "app/text.h"
 
-#define DEGREE (3.14159265358979323846 / 180)
+#define DEGREE (KG_PI / 180)
 
 /* A step of the keys, degrees. */
 static const double step = 5;

@@ -44,7 +44,7 @@ static kg_status rotate(kg_editor *e, const json_t *a, kg_error *error) {
         status = kg_fail(error, KG_ERR_INPUT, "\"axis\" has to be a direction");
     if (status)
         return status;
-    kg_similarity map = kg_similarity_turn(center, kg_unit(axis), angle * acos(-1.0) / 180);
+    kg_similarity map = kg_similarity_turn(center, kg_unit(axis), angle * KG_PI / 180);
     return map_all(e, a, N_("Rotate"), &map, error);
 }
 

@@ -43,7 +43,7 @@ static kg_status pin(kg_editor *e, const json_t *a, kg_error *error) {
     if (status)
         return status;
     kg_editor_touch(e);
-    kg_net_placement place = {(int)page, angle_deg * acos(-1.0) / 180, at};
+    kg_net_placement place = {(int)page, angle_deg * KG_PI / 180, at};
     return kg_editor_finish(e, kg_pin_set(kg_editor_model(e), patch, piece, place, error));
 }
 

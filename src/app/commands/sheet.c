@@ -208,9 +208,9 @@ static kg_status turn(kg_editor *e, const json_t *a, kg_error *error) {
         status = read_vec2(a, "center", &center, error);
     if (!status)
         status = kg_argument_number(a, "angle_deg", &angle, error);
-    return status ? status
-                  : place(e, index, angle * acos(-1) / 180, center, kg_v2(0, 0), N_("Turn sheet"),
-                          error);
+    return status
+               ? status
+               : place(e, index, angle * KG_PI / 180, center, kg_v2(0, 0), N_("Turn sheet"), error);
 }
 
 static kg_status color(kg_editor *e, const json_t *a, kg_error *error) {

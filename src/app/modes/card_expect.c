@@ -45,7 +45,7 @@ static kg_status expect_cursor(const kg_card_state *s, const char *words, kg_err
 
 /* DEG, to a millionth */
 static kg_status expect_open(const kg_card_state *s, const char *words, kg_error *error) {
-    double wanted = -1, is = s->open * 180 / acos(-1.0);
+    double wanted = -1, is = s->open * 180 / KG_PI;
     sscanf(words, "%lf", &wanted);
     return fabs(is - wanted) <= 1e-6 ? KG_OK
                                      : kg_fail(error, KG_ERR_INPUT, "the card is open by %.9g", is);

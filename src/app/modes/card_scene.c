@@ -6,8 +6,6 @@
 
 #include <stdlib.h>
 
-#define PI 3.14159265358979323846
-
 /* A closed card is drawn open by this much, rad: sheets that lie on each other would be drawn
  * through each other. No corner moves by more than a three-hundredth of the card. */
 static const double ajar = 0.003;
@@ -150,7 +148,7 @@ static kg_status make(stage *s, const kg_editor *e, int shown, kg_error *error) 
 
 static kg_status pose(stage *s, double open, kg_error *error) {
     kg_status status = KG_OK;
-    double drawn = fmin(fmax(open, ajar), PI);
+    double drawn = fmin(fmax(open, ajar), KG_PI);
     clear_shapes(s);
     for (int i = 0; i < KG_AREA_COUNT && !status; i++)
         status = upload_surface(&s->frame, (kg_card_area)i, drawn, &s->surfaces[i], error);

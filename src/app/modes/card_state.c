@@ -4,8 +4,6 @@
 
 #include <stdlib.h>
 
-#define PI 3.14159265358979323846
-
 /* A whole motion, s. */
 static const double cycle = 4;
 
@@ -21,7 +19,7 @@ kg_status kg_card_state_create(const kg_document *document, void **out_state, kg
     (void)document;
     if (!s)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    *s = (kg_card_state){.open = PI / 2, .shown_remark = -1, .hover_remark = -1, .degrees = -1};
+    *s = (kg_card_state){.open = KG_PI / 2, .shown_remark = -1, .hover_remark = -1, .degrees = -1};
     *out_state = s;
     return KG_OK;
 }
@@ -130,14 +128,14 @@ int kg_card_degrees(const kg_editor *e) {
 
 void kg_card_open(kg_editor *e, double open) {
     kg_card_state *s = kg_card_state_of(e);
-    s->open = fmin(fmax(open, 0), PI);
+    s->open = fmin(fmax(open, 0), KG_PI);
     kg_document_set_open(e->document, s->open);
 }
 
 void kg_card_play(kg_editor *e, bool on) {
     kg_card_state *s = kg_card_state_of(e);
     s->playing = on;
-    s->phase = acos(fmin(fmax(2 * s->open / PI - 1, -1), 1));
+    s->phase = acos(fmin(fmax(2 * s->open / KG_PI - 1, -1), 1));
     s->played = 0;
 }
 
@@ -147,7 +145,7 @@ bool kg_card_tick(kg_editor *e, double seconds) {
         return false;
     s->played = fmin(s->played + seconds, cycle);
     s->playing = s->played < cycle;
-    kg_card_open(e, PI / 2 * (1 + cos(s->phase + 2 * PI * s->played / cycle)));
+    kg_card_open(e, KG_PI / 2 * (1 + cos(s->phase + 2 * KG_PI * s->played / cycle)));
     return s->playing;
 }
 

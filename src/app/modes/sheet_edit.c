@@ -8,8 +8,6 @@
 /* mm, between sheets that are added one after the other. */
 #define GAP 10
 
-static const double PI = 3.141592653589793;
-
 /* ---- sheets in the plane ----------------------------------------------------------------- */
 
 const char *kg_sheets_why_fixed(const kg_editor *e) {
@@ -44,9 +42,9 @@ kg_status kg_sheet_corners(const kg_sheet_size *size, kg_vec2 out[KG_SHEET_MOST_
     double radius = size->shape == KG_SHEET_TRIANGLE ? w / sqrt(3) : w / 2;
     bool is_box = size->shape < KG_SHEET_TRIANGLE;
     /* regular ones stand on a side */
-    double first = -PI / 2 - PI / (double)sides;
+    double first = -KG_PI / 2 - KG_PI / (double)sides;
     for (size_t i = 0; i < sides; i++) {
-        double turn = first + 2 * PI * (double)i / (double)sides;
+        double turn = first + 2 * KG_PI * (double)i / (double)sides;
         out[i] = is_box ? box[i] : kg_v2(radius * cos(turn), radius * sin(turn));
     }
     *out_count = sides;

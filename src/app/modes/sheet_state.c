@@ -228,7 +228,7 @@ static void play(kg_sheets *s, double from, double to, double pace) {
     s->target = fmin(to, (double)kg_origami_fold_count(s->origami));
     s->playing = kg_sheets_shown(s) < s->target;
     /* goes on where the eased fold stands */
-    s->played = pace * acos(1 - 2 * s->fraction) / acos(-1);
+    s->played = pace * acos(1 - 2 * s->fraction) / KG_PI;
 }
 
 void kg_sheets_play(kg_editor *e, double from, double to) {
@@ -261,7 +261,7 @@ bool kg_sheets_tick(kg_editor *e, double seconds) {
         s->played = 0;
         step++;
     }
-    double folds = (double)step + (1 - cos(acos(-1) * s->played / s->pace)) / 2;
+    double folds = (double)step + (1 - cos(KG_PI * s->played / s->pace)) / 2;
     s->playing = folds < s->target;
     show(s, fmin(folds, s->target));
     return true;

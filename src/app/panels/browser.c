@@ -3,6 +3,7 @@
 #include "app/panels/panels.h"
 #include "app/text.h"
 #include "base/array.h"
+#include "base/file.h"
 
 #include <dirent.h>
 #include <stdio.h>
@@ -53,12 +54,9 @@ static const kind *kind_of(kg_purpose purpose) {
 }
 
 static bool has_ending(const kind *k, const char *name) {
-    size_t n = strlen(name);
-    for (size_t i = 0; i < sizeof k->endings / sizeof *k->endings && k->endings[i]; i++) {
-        size_t m = strlen(k->endings[i]);
-        if (n > m && strcasecmp(name + n - m, k->endings[i]) == 0)
+    for (size_t i = 0; i < sizeof k->endings / sizeof *k->endings && k->endings[i]; i++)
+        if (kg_file_ends_in(name, k->endings[i]))
             return true;
-    }
     return false;
 }
 

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DEGREE (3.14159265358979323846 / 180)
+#define DEGREE (KG_PI / 180)
 
 /* Layout units: width of fields, height of the banner, size of the strip over the view. */
 enum { FIELD = 110, BANNER = 34, STRIP_WIDTH = 420, STRIP_HEIGHT = 36 };

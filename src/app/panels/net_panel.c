@@ -152,7 +152,7 @@ static json_t *pin_of(const kg_net_view *v, size_t part, double turn) {
     kg_net_placement at = kg_net_view_turned(v, part, turn);
     return json_pack("{s:I, s:I, s:i, s:f, s:f, s:f}", "patch", (json_int_t)net->parts[part].source,
                      "piece", (json_int_t)kg_pin_piece(net, part), "page", at.page, "x",
-                     at.offset.x, "y", at.offset.y, "angle_deg", at.angle * 180 / acos(-1.0));
+                     at.offset.x, "y", at.offset.y, "angle_deg", at.angle * 180 / KG_PI);
 }
 
 static void part_menu(kg_app *app, size_t index) {
@@ -166,7 +166,7 @@ static void part_menu(kg_app *app, size_t index) {
     if (kg_ui_menu_item(_("Select its patch"), "", false, true))
         kg_editor_select(e, part->source, false);
     if (kg_ui_menu_item(_("Turn by 90°"), "", false, has_pages))
-        run(e, "net.pin", pin_of(v, index, acos(0.0)));
+        run(e, "net.pin", pin_of(v, index, KG_PI / 2));
     if (kg_ui_menu_item(_("Pin to this place"), "", part->pinned, has_pages)) {
         if (part->pinned)
             run(e, "net.unpin",

@@ -93,7 +93,7 @@ static void show_extent(kg_editor *e, kg_model_patch *p, const kg_solved_patch *
     kg_ui_table_end();
     if (s && s->prepared) {
         char text[160];
-        double degree = 180 / acos(-1.0);
+        double degree = 180 / KG_PI;
         snprintf(text, sizeof text, _("length %.1f mm, rulings at %.0f° to %.0f°"),
                  kg_patch_length(&s->patch, 1), s->patch.theta[0] * degree,
                  s->patch.theta[1] * degree);
@@ -219,7 +219,7 @@ static bool is_of_rulings(const kg_issue *issue) {
 static void describe_issue(const kg_issue *issue, const kg_solved_patch *s, char *out,
                            size_t size) {
     const kg_patch *p = &s->patch;
-    double degree = 180 / acos(-1.0);
+    double degree = 180 / KG_PI;
     int side = p->extent[0] != p->wished_extent[0] ? 0 : 1;
     if (s->prepared && strcmp(issue->code, "extent-clamped") == 0)
         snprintf(out, size,
@@ -228,7 +228,7 @@ static void describe_issue(const kg_issue *issue, const kg_solved_patch *s, char
                  p->extent[0], p->extent[1], p->regression_v[side]);
     else if (s->prepared && strcmp(issue->code, "flat-ruling") == 0)
         snprintf(out, size, _("At v = %.2f the rulings run at only %.1f° to the geodesic."),
-                 p->flattest_v, fmin(p->theta[0], acos(-1.0) - p->theta[1]) * degree);
+                 p->flattest_v, fmin(p->theta[0], KG_PI - p->theta[1]) * degree);
     else
         snprintf(out, size, "%s", issue->message);
 }

@@ -7,8 +7,6 @@
 
 #include <stdio.h>
 
-static const double PI = 3.141592653589793;
-
 static void run(kg_editor *e, const char *id, json_t *arguments) {
     kg_error error;
     if (arguments && kg_command_run(kg_command_find(id), e, arguments, &error))
@@ -92,7 +90,7 @@ static void row(kg_editor *e, size_t sheet) {
 /* Of its first side. */
 static double angle_of(const kg_paper_sheet *sheet) {
     kg_vec2 d = kg_sub2(sheet->polygon[1], sheet->polygon[0]);
-    return atan2(d.y, d.x) * 180 / PI;
+    return atan2(d.y, d.x) * 180 / KG_PI;
 }
 
 static void place(kg_editor *e) {
@@ -116,7 +114,7 @@ static void place(kg_editor *e) {
     result |= kg_ui_number("##angle", &wanted, 0.5, -180, 180, "%.1f°");
     kg_ui_tooltip(_("Direction of its first side"));
     if (result & KG_FIELD_CHANGED && !kg_editor_begin(e, N_("Move sheet"), &error) &&
-        kg_sheets_place(e, index, NULL, middle, (wanted - angle) * PI / 180, kg_sub2(to, middle),
+        kg_sheets_place(e, index, NULL, middle, (wanted - angle) * KG_PI / 180, kg_sub2(to, middle),
                         &error))
         kg_editor_say(e, KG_FAULT, "%s", error.message);
     if (result & KG_FIELD_ENDED)

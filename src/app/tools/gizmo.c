@@ -34,7 +34,7 @@ static bool make_shapes(const kg_editor *e, shapes *out) {
     kg_vec3 center, right, up, back;
     if (!is_shown(e, &center) || !kg_pane_project(&e->pane, center, &out->center))
         return false;
-    double mm = kg_pane_pixel_mm(&e->pane, center) * e->pane.scale, pi = acos(-1.0);
+    double mm = kg_pane_pixel_mm(&e->pane, center) * e->pane.scale;
     kg_camera_axes(&e->pane.camera, &right, &up, &back);
     out->scale = e->pane.scale;
     bool ok = kg_pane_project(
@@ -45,7 +45,7 @@ static bool make_shapes(const kg_editor *e, shapes *out) {
         ok =
             ok && kg_pane_project(&e->pane, kg_madd(center, ARROW * mm, axis_of(i)), &out->tips[i]);
         for (int k = 0; k < RING_POINTS && ok; k++) {
-            double t = 2 * pi * k / (RING_POINTS - 1);
+            double t = 2 * KG_PI * k / (RING_POINTS - 1);
             kg_vec3 spoke = kg_add(kg_scale(a, cos(t)), kg_scale(b, sin(t)));
             out->in_front[i][k] = kg_dot(spoke, back) > -0.05;
             ok = kg_pane_project(&e->pane, kg_madd(center, RING * mm, spoke), &out->rings[i][k]);

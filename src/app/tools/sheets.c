@@ -7,8 +7,6 @@
 
 #include <stdlib.h>
 
-static const double PI = 3.141592653589793;
-
 /* Layout units. */
 enum { GRAB_DISTANCE = 8 };
 enum { RING_POINTS = 65 };
@@ -63,7 +61,7 @@ static void ring_of(const kg_paper_sheet *sheet, kg_vec3 out[RING_POINTS]) {
     for (size_t i = 0; i < sheet->count; i++)
         radius = fmax(radius, RING * kg_dist2(sheet->polygon[i], middle));
     for (int i = 0; i < RING_POINTS; i++) {
-        double turn = 2 * PI * i / (RING_POINTS - 1);
+        double turn = 2 * KG_PI * i / (RING_POINTS - 1);
         out[i] = kg_v3(middle.x + radius * cos(turn), middle.y + radius * sin(turn), 0);
     }
 }
@@ -165,9 +163,9 @@ static double turning(const kg_editor *e, const state *s, kg_vec2 at, unsigned m
     kg_vec2 middle = kg_sheet_middle(sheet), a = kg_sub2(s->pressed, middle),
             b = kg_sub2(at, middle), side = kg_sub2(sheet->polygon[1], sheet->polygon[0]);
     double turn = atan2(kg_cross2(a, b), kg_dot2(a, b)), first = atan2(side.y, side.x);
-    double degrees = (first + turn) * 180 / PI, rest = STEP_DEG * round(degrees / STEP_DEG);
+    double degrees = (first + turn) * 180 / KG_PI, rest = STEP_DEG * round(degrees / STEP_DEG);
     bool rests = mods & KG_MOD_CTRL || (!(mods & KG_MOD_ALT) && fabs(degrees - rest) < REST_DEG);
-    return rests ? rest * PI / 180 - first : turn;
+    return rests ? rest * KG_PI / 180 - first : turn;
 }
 
 static void move(kg_editor *e, state *s, const kg_event *event) {

@@ -104,10 +104,10 @@ static kg_vec3 move_by(const kg_editor *e, const state *s) {
 
 /* Radians about the axis, which without a lock points to the eye. */
 static double turn_by(const kg_editor *e, const state *s, kg_vec3 axis) {
-    double number, pi = acos(-1.0);
+    double number;
     kg_vec2 c;
     if (typed_number(s, &number))
-        return number * pi / 180;
+        return number * KG_PI / 180;
     if (!kg_pane_project(&e->pane, s->center, &c))
         return 0;
     kg_vec2 a = kg_sub2(s->pressed, c), b = kg_sub2(s->aim, c);
@@ -117,7 +117,7 @@ static double turn_by(const kg_editor *e, const state *s, kg_vec3 axis) {
     if (kg_dot(axis, back) < 0)
         angle = -angle;
     if (e->mods & KG_MOD_CTRL)
-        angle = round(angle * 180 / pi / ANGLE_STEP_DEG) * ANGLE_STEP_DEG * pi / 180;
+        angle = round(angle * 180 / KG_PI / ANGLE_STEP_DEG) * ANGLE_STEP_DEG * KG_PI / 180;
     return angle;
 }
 
