@@ -3,8 +3,13 @@
 #include <stdlib.h>
 
 kg_oa *random_card(kg_random *r, double windows, double omitted, bool plain) {
-    kg_oa *oa;
     int w = whole(r, 3, 10), d = whole(r, 2, 8), h = whole(r, 2, 9);
+    return random_card_of(r, w, d, h, windows, omitted, plain);
+}
+
+kg_oa *random_card_of(kg_random *r, int w, int d, int h, double windows, double omitted,
+                      bool plain) {
+    kg_oa *oa;
     assert_int_equal(kg_oa_create(w, d, h, 1, &oa, NULL), KG_OK);
     for (int x = plain; x < w - plain; x++) {
         int depth = whole(r, 0, d - plain);
@@ -150,6 +155,147 @@ size_t flood_fill(const kg_oa *oa, const face *faces) {
         missing += faces[i].front && reached[i] != 3;
     free(reached);
     return missing;
+}
+
+/* ---- mobility --------------------------------------------------------------------------- */
+
+/* Patches as sets of cells, the first cell standing for all. */
+static int first_of(const int *set, int cell) {
+    while (set[cell] != cell)
+        cell = set[cell];
+    return cell;
+}
+
+static void unite(int *set, int a, int b) {
+    a = first_of(set, a);
+    b = first_of(set, b);
+    set[a > b ? a : b] = a < b ? a : b;
+}
+
+static int64_t inverse_of(int64_t a, int64_t p) {
+    int64_t result = 1;
+    for (int64_t n = p - 2; n > 0; n /= 2, a = a * a % p)
+        if (n % 2 == 1)
+            result = result * a % p;
+    return result;
+}
+
+/* Gauss and Jordan modulo a prime of 31 bits; returns the rank, moves the solved rows up. */
+static int reduce(int64_t *rows, int count, int columns) {
+    const int64_t p = 2147483647;
+    int rank = 0;
+    for (int c = 0; c < columns && rank < count; c++) {
+        int pivot = rank;
+        while (pivot < count && rows[pivot * columns + c] == 0)
+            pivot++;
+        if (pivot == count)
+            continue;
+        int64_t factor = inverse_of((rows[pivot * columns + c] % p + p) % p, p);
+        for (int k = 0; k < columns; k++) {
+            int64_t value = (rows[pivot * columns + k] % p + p) * factor % p;
+            rows[pivot * columns + k] = rows[rank * columns + k];
+            rows[rank * columns + k] = value;
+        }
+        for (int r = 0; r < count; r++) {
+            int64_t times = r == rank ? 0 : rows[r * columns + c];
+            for (int k = c; times != 0 && k < columns; k++)
+                rows[r * columns + k] =
+                    (rows[r * columns + k] - times * rows[rank * columns + k]) % p;
+        }
+        rank++;
+    }
+    return rank;
+}
+
+/* Patch `a` has the speeds (turn w, u, v) of which u - w z and v + w y are those of the point
+ * (y,z). Patch `b` has the same there. -1: a patch that is held. */
+static void fold_at(int64_t *rows, int columns, int a, int b, int y, int z) {
+    for (int i = 0; i < 2; i++) {
+        int patch = i ? b : a, sign = i ? -1 : 1;
+        if (patch < 0)
+            continue;
+        rows[3 * patch] -= sign * z;
+        rows[3 * patch + 1] += sign;
+        rows[columns + 3 * patch] += sign * y;
+        rows[columns + 3 * patch + 2] += sign;
+    }
+}
+
+/* The equations of all folds; `number` is per cell that of its patch. free() them. */
+static int64_t *equations_of(const kg_oa *oa, const face *faces, const int *number, int columns,
+                             int *out_count) {
+    int w = oa->width, rows = oa->height + oa->depth_limit, count = 0;
+    int64_t *all = calloc((size_t)(2 * w * rows) * (size_t)columns + 1, sizeof *all);
+    assert_non_null(all);
+    for (int row = 0; row + 1 < rows; row++)
+        for (int x = 0; x < w; x++) {
+            int cell = row * w + x;
+            kg_oa_edge edge = edge_below(oa, faces, x, row);
+            if (edge != KG_OA_MOUNTAIN && edge != KG_OA_VALLEY)
+                continue;
+            fold_at(all + count * columns, columns, number[cell], number[cell + w], faces[cell].y1,
+                    faces[cell].z1);
+            count += 2;
+        }
+    *out_count = count;
+    return all;
+}
+
+int move_freely(const kg_oa *oa, const face *faces, bool *out_still) {
+    int w = oa->width, rows = oa->height + oa->depth_limit, cells = w * rows, count, patches = 0;
+    int *patch = malloc((size_t)cells * sizeof *patch),
+        *body = malloc((size_t)cells * sizeof *body);
+    int *number = calloc((size_t)cells, sizeof *number);
+    assert_true(patch && body && number);
+    for (int i = 0; i < cells; i++)
+        patch[i] = body[i] = i;
+    for (int row = 0; row < rows; row++)
+        for (int x = 0; x < w; x++) {
+            int cell = row * w + x;
+            kg_oa_edge right = x + 1 < w ? edge_right(oa, faces, x, row) : KG_OA_CUT;
+            kg_oa_edge below = row + 1 < rows ? edge_below(oa, faces, x, row) : KG_OA_CUT;
+            if (right != KG_OA_CUT)
+                unite(patch, cell, cell + 1), unite(body, cell, cell + 1);
+            if (below != KG_OA_CUT)
+                unite(body, cell, cell + w);
+            if (below == KG_OA_NONE)
+                unite(patch, cell, cell + w);
+        }
+    int bodies = 0, back = 0, base = first_of(patch, cells - 1);
+    for (int i = 0; i < cells; i++) {
+        bodies += first_of(body, i) == i;
+        if (first_of(patch, i) == i)
+            number[i] = patches++;
+        number[i] = number[first_of(patch, i)];
+    }
+    int64_t *all = equations_of(oa, faces, number, 3 * patches, &count);
+    /* the back holds the plane's three motions; each body may also leave the plane in three ways */
+    int degrees = 3 * patches - 3 - reduce(all, count, 3 * patches) + 3 * (bodies - 1);
+    free(all);
+
+    back = number[back];
+    base = number[base];
+    for (int i = 0; i < cells; i++)
+        if (number[i] == back || number[i] == base)
+            number[i] = -1;
+    all = equations_of(oa, faces, number, 3 * patches, &count);
+    int rank = reduce(all, count, 3 * patches), *still = calloc((size_t)patches, sizeof *still);
+    assert_non_null(still);
+    for (int r = 0; r < rank; r++) {
+        int terms = 0, first = -1;
+        for (int k = 0; k < 3 * patches; k++)
+            if (all[r * 3 * patches + k] != 0 && terms++ == 0)
+                first = k;
+        still[first / 3] += terms == 1; /* that speed is nothing */
+    }
+    for (int i = 0; i < cells; i++)
+        out_still[i] = number[i] < 0 || still[number[i]] == 3;
+    free(still);
+    free(all);
+    free(number);
+    free(body);
+    free(patch);
+    return degrees;
 }
 
 void open_windows_slowly(kg_oa *oa, const unsigned char *candidates) {

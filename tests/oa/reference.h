@@ -10,6 +10,10 @@
  * its border empty. */
 kg_oa *random_card(kg_random *r, double windows, double omitted, bool plain);
 
+/* The same of a given size. */
+kg_oa *random_card_of(kg_random *r, int width, int depth, int height, double windows,
+                      double omitted, bool plain);
+
 /* Chance in [0,1]. */
 static inline bool chance(kg_random *r, double p) {
     return kg_random_in(r, 0, 1) < p;
@@ -35,6 +39,11 @@ kg_oa_edge edge_right(const kg_oa *oa, const face *faces, int x, int row);
 
 /* Floods cell by cell with a stack; the number of front cells that one of them misses. */
 size_t flood_fill(const kg_oa *oa, const face *faces);
+
+/* Degrees of freedom of the card whose back sheet is held, and of each cell whether it keeps still
+ * when the base is held as well: by the speeds of all patches, of which any two that share a fold
+ * move alike there. */
+int move_freely(const kg_oa *oa, const face *faces, bool *out_still);
 
 /* Windows by trying each candidate with a flood of its own. */
 void open_windows_slowly(kg_oa *oa, const unsigned char *candidates);

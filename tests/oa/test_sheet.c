@@ -171,6 +171,23 @@ static void check_edges(const kg_mesh *mesh, double cell) {
     }
 }
 
+/* Cells on both sides of a fold, or of nothing, share its ends. */
+static void check_whole(const kg_oa *oa, const kg_oa_sheet *s, const face *faces,
+                        const kg_mesh *mesh) {
+    enum { UPPER_LEFT, LOWER_LEFT, LOWER_RIGHT, UPPER_RIGHT };
+    for (int row = 0; row < s->rows; row++)
+        for (int x = 0; x < s->width; x++) {
+            const uint32_t *cell = mesh->face_corners + (size_t)4 * (size_t)(row * s->width + x);
+            const uint32_t *right = cell + 4, *below = cell + (size_t)4 * (size_t)s->width;
+            if (x + 1 < s->width && edge_right(oa, faces, x, row) != KG_OA_CUT)
+                assert_true(cell[UPPER_RIGHT] == right[UPPER_LEFT] &&
+                            cell[LOWER_RIGHT] == right[LOWER_LEFT]);
+            if (row + 1 < s->rows && edge_below(oa, faces, x, row) != KG_OA_CUT)
+                assert_true(cell[LOWER_LEFT] == below[UPPER_LEFT] &&
+                            cell[LOWER_RIGHT] == below[UPPER_RIGHT]);
+        }
+}
+
 static void valid_cards_open_and_close_flat(void **state) {
     (void)state;
     kg_random r = {4};
@@ -179,9 +196,8 @@ static void valid_cards_open_and_close_flat(void **state) {
         kg_oa *oa = random_card(&r, 0.15, 0.1, true);
         oa->cell_mm = 2.5;
         kg_oa_sheet *sheet = sheet_of(oa);
-        unsigned char *reached = malloc((size_t)sheet->width * (size_t)sheet->rows);
-        size_t missing;
-        assert_int_equal(kg_oa_flood(sheet, reached, &missing, NULL), KG_OK);
+        face *faces = faces_of(oa);
+        size_t missing = flood_fill(oa, faces);
         count += missing == 0;
         for (int deg = 0; deg <= 180 && missing == 0; deg += 15) {
             kg_mesh *mesh;
@@ -189,6 +205,7 @@ static void valid_cards_open_and_close_flat(void **state) {
             assert_int_equal(kg_mesh_check(mesh, NULL), KG_OK);
             assert_int_equal(mesh->face_count, sheet->width * sheet->rows);
             check_edges(mesh, 2.5);
+            check_whole(oa, sheet, faces, mesh);
             kg_box3 box = kg_mesh_bounds(mesh);
             double height = box.hi.z - box.lo.z;
             if (deg == 0 || deg == 180)
@@ -199,7 +216,7 @@ static void valid_cards_open_and_close_flat(void **state) {
                 assert_near(box.hi.y - box.lo.y, 2.5 * sheet->rows, 1e-9);
             kg_mesh_destroy(mesh);
         }
-        free(reached);
+        free(faces);
         kg_oa_sheet_destroy(sheet);
         kg_oa_destroy(oa);
     }
