@@ -20,7 +20,6 @@ BELOW = {
     "net": ["base"],
     "unroll": ["model", "net"],
     "mesh": ["base"],
-    "fit": ["patch", "mesh"],
     "oa": ["mesh", "net"],
     "origami": ["net"],
     "document": ["model", "unroll", "oa", "origami", "mesh", "net"],
