@@ -240,7 +240,7 @@ static kg_vec3 paper_edge(const kg_origami_state *s, size_t edge, int end) {
 }
 
 /* What a point on the paper is: a corner, on an edge (its nearer end in `out_end`), or neither. */
-static int place_of(const kg_origami_state *s, kg_vec3 point, kg_vec3 *out_end) {
+static kg_diagram_goal place_of(const kg_origami_state *s, kg_vec3 point, kg_vec3 *out_end) {
     double near = KG_PICK * s->size, least = INFINITY;
     for (size_t i = 0; i < s->vertices.count; i++)
         if (kg_dist(s->vertices.items[i].position, point) < near)

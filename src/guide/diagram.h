@@ -21,6 +21,14 @@ typedef struct kg_diagram_length {
     double length;    /* mm of paper */
 } kg_diagram_length;
 
+/* What on the paper a fold goes to. */
+typedef enum kg_diagram_goal {
+    KG_GOAL_NONE, /* told otherwise */
+    KG_GOAL_CORNER,
+    KG_GOAL_EDGE,
+    KG_GOAL_POINT
+} kg_diagram_goal;
+
 /* Coordinates are as seen: millimetres of the paper, x to the right, y up. */
 typedef struct kg_diagram {
     const kg_origami *origami;
@@ -39,7 +47,7 @@ typedef struct kg_diagram {
     bool edge;                     /* a whole edge is folded, not a corner */
     size_t layers, stack;          /* that move where it is held, and all that lie there */
     kg_vec2 axis[2];               /* two points of the line */
-    enum { KG_GOAL_NONE, KG_GOAL_CORNER, KG_GOAL_EDGE, KG_GOAL_POINT } goal;
+    kg_diagram_goal goal;
     size_t mark_count; /* points to be circled */
     kg_vec2 marks[KG_DIAGRAM_MARKS];
     size_t measure_count;
