@@ -194,7 +194,7 @@ static const char slit[] =
 
 static void test_paper_opens_along_a_slit(void **user) {
     (void)user;
-    kg_origami *o, *again;
+    kg_origami *o, *again = NULL;
     kg_layer_report report;
     kg_error error = {0};
     if (import(slit, "slit.fold", &o, &report, &error))

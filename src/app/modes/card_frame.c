@@ -209,13 +209,17 @@ static void hatch(maker *m, kg_card_line kind, int x, int row, int side) {
 }
 
 static void add_hatches(maker *m) {
+    static const kg_card_line kinds[KG_AREA_COUNT] = {
+        [KG_AREA_LOOSE] = KG_CARD_HATCH_LOOSE,
+        [KG_AREA_FAULT] = KG_CARD_HATCH_FAULT,
+        [KG_AREA_SHOWN] = KG_CARD_HATCH_SHOWN,
+    };
     const kg_oa_sheet *s = m->sheet;
     for (int row = 0; row < s->rows; row++)
         for (int x = 0; x < s->width; x++)
             for (int side = 0; side < (kg_oa_cell_shape(s, x, row) == KG_OA_WHOLE ? 1 : 2); side++)
                 if (area_of(m, x, row, side) != KG_AREA_FIRM)
-                    hatch(m, KG_CARD_HATCH_LOOSE + area_of(m, x, row, side) - KG_AREA_LOOSE, x, row,
-                          side);
+                    hatch(m, kinds[area_of(m, x, row, side)], x, row, side);
 }
 
 /* ---- all -------------------------------------------------------------------------------- */

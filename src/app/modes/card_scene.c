@@ -32,7 +32,7 @@ typedef struct stage {
 
 /* ---- styles ------------------------------------------------------------------------------ */
 
-kg_style kg_card_line_style(int line, bool dark) {
+kg_style kg_card_line_style(kg_card_line line, bool dark) {
     static const struct {
         kg_color color;
         float width, dashes[4];
@@ -201,7 +201,7 @@ kg_status kg_card_scene_compose(void **cache, const kg_editor *e, kg_overlay *o,
     for (int i = 0; i < KG_CARD_LINE_COUNT; i++) {
         if (shut && i != KG_CARD_EDGE)
             continue;
-        kg_style style = kg_card_line_style(i, dark);
+        kg_style style = kg_card_line_style((kg_card_line)i, dark);
         thin(e, i, &style);
         kg_overlay_item(o, s->lines[i], style);
     }

@@ -4,6 +4,7 @@
 #define KG_APP_MODES_CARD_SCENE_H
 
 #include "app/editor.h"
+#include "app/modes/card_frame.h"
 #include "app/overlay.h"
 
 kg_status kg_card_scene_compose(void **cache, const kg_editor *editor, kg_overlay *overlay,
@@ -14,6 +15,6 @@ void kg_card_scene_drop(void *cache);
 kg_box3 kg_card_scene_box(const kg_editor *editor, bool selection);
 
 /* How lines of a kind are drawn, here and in the legend. */
-kg_style kg_card_line_style(int line, bool dark);
+kg_style kg_card_line_style(kg_card_line line, bool dark);
 
 #endif
