@@ -36,6 +36,7 @@ typedef struct kg_frenet {
 KG_API kg_status kg_curve_init(const kg_vec3 *points, size_t count, kg_curve *out_curve,
                                kg_error *error) KG_CHECKED;
 
+/* p(v) */
 KG_API kg_vec3 kg_curve_point(const kg_curve *curve, double v);
 
 /* p, p', …, up to the derivative `order` (0 … 5): order + 1 vectors. */

@@ -108,6 +108,7 @@ KG_API struct json_t **kg_document_json(kg_document *document);
  * before the calls below, and again after the model was changed; then only what changed is done
  * anew. Faults of the model are issues. KG_ERR_MEMORY. */
 KG_API kg_status kg_document_solve(kg_document *document, double chord, kg_error *error) KG_CHECKED;
+/* What follows from patches; NULL for other documents. */
 KG_API const kg_solution *kg_document_solution(const kg_document *document);
 /* What follows from a card; NULL for other documents. */
 KG_API const kg_oa_sheet *kg_document_sheet(const kg_document *document);
@@ -125,6 +126,7 @@ KG_API kg_status kg_document_set_step(kg_document *document, size_t step,
 /* How far the fold after these is under way, in [0, 1]; 0 at first. */
 KG_API void kg_document_set_fraction(kg_document *document, double fraction);
 
+/* What is wrong, the same every time. */
 KG_API size_t kg_document_issue_count(const kg_document *document);
 KG_API const kg_issue *kg_document_issue(const kg_document *document, size_t index);
 /* KG_OK, or KG_ERR_INPUT with the first fault and the file's name. */

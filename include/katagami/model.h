@@ -93,6 +93,7 @@ typedef struct kg_model {
     struct json_t *json;
 } kg_model;
 
+/* A model without patches, or NULL when memory runs out; destroying NULL is fine. */
 KG_API kg_model *kg_model_create(void);
 KG_API void kg_model_destroy(kg_model *model);
 
@@ -112,6 +113,7 @@ KG_API kg_status kg_model_write(const kg_model *model, const char *path,
 KG_API kg_status kg_model_write_memory(const kg_model *model, char **out_text, size_t *out_size,
                                        kg_error *error) KG_CHECKED;
 
+/* The patch with an id; NULL: none. */
 KG_API kg_model_patch *kg_model_find(const kg_model *model, int64_t id);
 
 /* The wish for joins between two patches, in either order; NULL: none. */

@@ -237,11 +237,13 @@ typedef struct kg_net_settings {
     struct json_t *json; /* the object as it was read, with all else that it says; may be NULL */
 } kg_net_settings;
 
+/* A4, with the usual values above. */
 KG_API kg_net_settings kg_net_settings_default(void);
 /* Frees what they hold and makes them the default. */
 KG_API void kg_net_settings_clear(kg_net_settings *settings);
 /* False when memory runs out; the copy is to be cleared all the same. */
 KG_API bool kg_net_settings_copy(const kg_net_settings *from, kg_net_settings *out_copy);
+/* Whether files of both would say the same. */
 KG_API bool kg_net_settings_equal(const kg_net_settings *a, const kg_net_settings *b);
 
 /* Net options as the settings ask for them. KG_ERR_INPUT: an unknown word or a wrong kind of value.
@@ -289,8 +291,9 @@ typedef struct kg_net_warning {
     const char *message;
 } kg_net_warning;
 
-/* The report of formats "Report" as JSON text with a line break at its end; the caller frees it.
- * `layout` NULL: pages are 0. Errors: KG_ERR_MEMORY. */
+/* What `katagami net --json` writes: counts, lengths and areas of the net, its parts and joins with
+ * their exact measures, warnings. JSON text with a line break at its end; free() it. `tab_overlaps`
+ * is what kg_document_net found. `layout` NULL: pages are 0. Errors: KG_ERR_MEMORY. */
 KG_API kg_status kg_net_report(const kg_net *net, const kg_net_layout *layout,
                                const kg_net_warning *warnings, size_t warning_count,
                                int tab_overlaps, char **out_json, kg_error *error) KG_CHECKED;

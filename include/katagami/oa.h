@@ -366,8 +366,9 @@ typedef struct kg_oa_hit {
 KG_API bool kg_oa_pick(const kg_oa *oa, const kg_oa_sheet *sheet, double open, kg_vec3 origin,
                        kg_vec3 direction, kg_oa_hit *out_hit);
 
-/* The same with its whole motion, from flat open to closed and back in steps of two degrees. Exact
- * at every key: eq. 6 is linear in cos θ and sin θ, pyramids add three terms more. */
+/* The mesh of kg_oa_pose with its whole motion, from flat open to closed and back in steps of two
+ * degrees. Exact at every key: eq. 6 is linear in cos θ and sin θ, pyramids add three terms more.
+ */
 KG_API kg_status kg_oa_motion(const kg_oa *oa, const kg_oa_sheet *sheet,
                               const kg_oa_stability *stability, double open, kg_mesh **out_mesh,
                               kg_mesh_motion **out_motion, kg_error *error) KG_CHECKED;

@@ -96,8 +96,7 @@ typedef struct kg_origami_state {
         kg_layer_order *items; /* sorted by a, then b; every pair that overlaps and no other */
         size_t count, capacity;
     } orders;
-    double
-        size; /* mm: the longest side of the bounds of all flat sheets; tolerances grow with it */
+    double size;  /* mm, the longest side around all flat sheets; tolerances grow with it */
     double touch; /* mm: overlaps narrower than this are none, paper that merely touches */
 } kg_origami_state;
 
@@ -133,8 +132,8 @@ typedef struct kg_fold {
                        to */
     int32_t layers; /* how many layers at the vertex move, from the picked one down; all that
                        lies above them moves along. 0 means 1 */
-    int32_t between[2]; /* a flat fold ends between these two loops; -1, -1: outside all */
-    struct json_t *json;
+    int32_t between[2];  /* a flat fold ends between these two loops; -1, -1: outside all */
+    struct json_t *json; /* the object as read, for its unknown keys; may be NULL */
 } kg_fold;
 
 /* A fold from a vertex to a point, flat, of the topmost layer. */
@@ -142,7 +141,7 @@ KG_API kg_fold kg_fold_default(void);
 
 typedef struct kg_origami kg_origami;
 
-/* Sheets without any, to be added. NULL when memory runs out. */
+/* No sheets yet and no folds. NULL when memory runs out; destroying NULL is fine. */
 KG_API kg_origami *kg_origami_create(void);
 KG_API void kg_origami_destroy(kg_origami *origami);
 /* All of it, with the folds that can be done again. States, which never change, are shared, so that

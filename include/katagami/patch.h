@@ -83,6 +83,7 @@ typedef struct kg_ruling {
 KG_API kg_status kg_patch_init(const kg_patch_input *input, kg_patch *out_patch,
                                kg_error *error) KG_CHECKED;
 
+/* The ruling at v in [0,1]. */
 KG_API kg_ruling kg_patch_ruling(const kg_patch *patch, double v);
 
 /* X(u,v) */

@@ -157,8 +157,9 @@ typedef struct kg_style {
                            is solid */
     bool square;        /* points: squares instead of discs */
     float hidden;       /* lines, points: opacity where a surface hides them, 0 … 1 */
-    bool exact;         /* lines: as deep as they are, to lie between layers thinner than a pixel;
-                           those along a surface have to be a little before it. Opaque ones only */
+    bool exact;         /* opaque lines, see-through surfaces: as deep as they are, to lie between
+                           layers thinner than a pixel; lines along a surface have to be a little
+                           before it, and such surfaces are below all lines */
 } kg_style;
 
 /* Opaque in `color` with a lighter tint of it on the back; lines 1.5 px, points 7 px. */
