@@ -160,6 +160,12 @@ static void give_to_app(kg_app *app, const kg_event *event) {
     }
 }
 
+static void move_on(kg_app *app, double seconds) {
+    kg_editor *e = &app->editor;
+    if (e->mode->tick && e->mode->tick(e, seconds))
+        app->busy = app->redraw = true;
+}
+
 void kg_app_event(kg_app *app, const kg_event *event, double seconds) {
     kg_editor *e = &app->editor;
     double scale = app->scale * e->settings.scale;
@@ -185,16 +191,16 @@ void kg_app_event(kg_app *app, const kg_event *event, double seconds) {
         give_to_editor(app, event);
     serve_request(app);
     kg_editor_update(e);
+    move_on(app, seconds); /* before the panels, which show the same moment as the view */
     kg_panels_show(app);
     serve_request(app);
     kg_editor_update(e);
+    move_on(app, 0); /* what they began */
     kg_ui_end();
     if (!app->framed && !app->load_job && e->pane.area.width > 1) {
         kg_pane_fit(&e->pane, kg_editor_box(e, false));
         app->framed = true;
     }
-    if (e->mode->tick && e->mode->tick(e, seconds))
-        app->busy = app->redraw = true;
     kg_recovery_tick(app);
     app->redraw = app->redraw || event->type != KG_EVENT_NONE;
 }

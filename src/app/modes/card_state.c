@@ -146,7 +146,7 @@ bool kg_card_tick(kg_editor *e, double seconds) {
     s->played = fmin(s->played + seconds, cycle);
     s->playing = s->played < cycle;
     kg_card_open(e, KG_PI / 2 * (1 + cos(s->phase + 2 * KG_PI * s->played / cycle)));
-    return s->playing;
+    return true; /* the last moment is shown, too */
 }
 
 /* ---- another solution ------------------------------------------------------------------- */
