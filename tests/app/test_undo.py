@@ -1,5 +1,5 @@
-"""Undo and redo of every command that edits patches: of random ones, each state comes back byte by
-byte. usage: test_undo.py KATAGAMI"""
+"""Undo and redo of every command that edits patches or folds sheets: of random ones, each state comes
+back byte by byte. usage: test_undo.py KATAGAMI"""
 
 import json
 import os
@@ -12,13 +12,15 @@ import tempfile
 
 
 PROGRAM = os.path.abspath(sys.argv[1])
-TWO = pathlib.Path(__file__).resolve().parent / "two.katagami"
+HERE = pathlib.Path(__file__).resolve().parent
 STEPS = 60
 SKIPPED = 77
 
 
-class Edits:
+class Patches:
     """Random edits: most of them are possible in a model that grows from three patches."""
+    start = "two.katagami"
+    least = STEPS // 3
 
     def __init__(self, seed):
         self.random = random.Random(seed)
@@ -95,6 +97,53 @@ class Edits:
         return edit
 
 
+class Folds:
+    """Random folds between places where corners often are, and all else that is done to sheets."""
+    start = "square.katagami"
+    least = STEPS // 5
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.count = 0
+
+    def place(self):
+        return [self.random.randint(0, 4) * 37.5, self.random.randint(0, 4) * 37.5, 0]
+
+    def corner(self):
+        return [self.random.choice([0, 150]), self.random.choice([0, 150]), 0]
+
+    def angle(self):
+        return self.random.choice([180, 180, 180, -180, 90, -45])
+
+    def fold(self):
+        by_axis = {"axis": [self.place(), self.place()], "vertex": self.corner()}
+        by_corner = {"from": self.corner(), "to": self.place()}
+        layers = self.random.choice([{}, {}, {"layers": 2}])
+        return ("fold.make", self.random.choice([by_axis, by_corner]) | layers
+                | {"angle_deg": self.angle()})
+
+    def sheet(self):
+        color = f"#{self.random.randrange(1 << 24):06x}"
+        by = [self.random.uniform(-20, 20), self.random.uniform(-20, 20)]
+        return self.random.choice([
+            ("sheet.add", {"shape": "triangle", "size": 80, "at": by, "front": color}),
+            ("sheet.add", {"shape": "square", "size": 150}), ("sheet.move", {"sheet": 2, "by": by}),
+            ("sheet.color", {"sheet": 1, "back": color}),
+            ("sheet.turn", {"sheet": 2, "angle_deg": self.random.uniform(-180, 180)}),
+            ("sheet.raise", {"sheet": 1}), ("sheet.lower", {"sheet": 2}),
+            ("sheet.duplicate", {"sheet": 1}), ("sheet.remove", {"sheet": 2})])
+
+    def next(self):
+        self.count += 1
+        if self.count <= 8 or self.random.random() < 0.05:
+            return self.sheet()
+        step = {"step": self.random.randint(0, 4)}
+        return self.random.choice([self.fold()] * 9 + [
+            ("fold.set", step | {"angle_deg": self.angle()}), ("fold.unfold", {}),
+            ("fold.unfold", step), ("step.from_here", step), ("step.from_here", step),
+            ("net.set", {"margin": self.random.uniform(0, 20)})])
+
+
 def content(path):
     """The bytes of a model without its history."""
     text = path.read_text(encoding="utf-8")
@@ -137,16 +186,16 @@ def steps_of(folder, count):
     return lines
 
 
-def check(seed, folder):
-    edits = Edits(seed)
-    model = json.loads(TWO.read_text(encoding="utf-8"))
-    model["reference"] = {"file": "mesh.obj"}
+def check(edits, seed, folder):
+    model = json.loads((HERE / edits.start).read_text(encoding="utf-8"))
+    if model["kind"] == "patches":
+        model["reference"] = {"file": "mesh.obj"}
     (folder / "mesh.obj").write_text("v 0 0 0\nv 50 0 0\nv 0 50 0\nf 1 2 3\n")
     (folder / "start.katagami").write_text(json.dumps(model), encoding="utf-8")
     lines = [f"open {folder}/start.katagami", "wait", f"save {folder}/done000.katagami"]
     for i in range(1, STEPS + 1):
         name, arguments = edits.next()
-        lines += [f"try {name} {json.dumps(arguments, ensure_ascii=False)}",
+        lines += [f"try {name} {json.dumps(arguments, ensure_ascii=False)}", "wait",
                   f"save {folder}/done{i:03}.katagami"]
     run(lines + steps_of(folder, STEPS), folder)
     done = without_repeats(states_of(folder, "done"))
@@ -164,11 +213,12 @@ def check(seed, folder):
 
 
 def main():
-    for seed in range(1, 4):
-        with tempfile.TemporaryDirectory() as folder:
-            steps = check(seed, pathlib.Path(folder))
-            print(f"seed {seed}: {steps} of {STEPS} edits changed the model, all came back")
-            assert steps > STEPS / 3
+    for kind in (Patches, Folds):
+        for seed in range(1, 4):
+            with tempfile.TemporaryDirectory() as folder:
+                steps = check(kind(seed), seed, pathlib.Path(folder))
+                print(f"seed {seed}: {steps} of {STEPS} edits changed the model, all came back")
+                assert steps > kind.least
 
 
 if __name__ == "__main__":
