@@ -146,7 +146,7 @@ static bool is_opaque(const kg_item *item) {
     return item->style.color.a >= 1;
 }
 static bool is_exact(const kg_item *item) {
-    return !is_surface(item) && is_opaque(item) && item->style.exact;
+    return item->style.exact && is_surface(item) != is_opaque(item);
 }
 
 static void draw_background(const kg_renderer *renderer, const kg_scene *scene) {
@@ -206,8 +206,8 @@ static const kg_item *next_see_through(const kg_scene *scene, const kg_camera *c
     for (size_t i = 0; i < scene->item_count; i++) {
         const kg_item *item = &scene->items[i];
         double depth = kg_dot(item->shape->origin, back);
-        if (is_opaque(item) || is_surface(item) != surfaces || depth < last_depth ||
-            (last && depth == last_depth && item <= last))
+        if (is_opaque(item) || is_exact(item) || is_surface(item) != surfaces ||
+            depth < last_depth || (last && depth == last_depth && item <= last))
             continue;
         if (!best || depth < best_depth) {
             best = item;
@@ -253,7 +253,10 @@ static void draw_items(const kg_renderer *renderer, const kg_frame *frame, const
             kg_frame_item(renderer, frame, item, KG_PART_CORE, 0);
     }
     for (size_t i = 0; i < scene->item_count; i++)
-        if (is_exact(&scene->items[i]))
+        if (is_exact(&scene->items[i]) && is_surface(&scene->items[i]))
+            draw_see_through(renderer, frame, &scene->items[i]);
+    for (size_t i = 0; i < scene->item_count; i++)
+        if (is_exact(&scene->items[i]) && !is_surface(&scene->items[i]))
             draw_thin(renderer, frame, &scene->items[i]);
     if (has_thin_items(scene))
         kg_frame_push_depth(renderer, frame, scene, KG_PART_CORE);

@@ -14,7 +14,7 @@
 
 /* How far shadows lie below their layer, over the size of the sheets, and how dark each is. */
 #define SHADOW_DEPTH 0.0012
-#define SHADOW 0.07F
+#define SHADOW 0.08F
 
 /* Edges of more complex states throw none: telling which lie on one another would take too long. */
 enum { MOST_SHADOWS = 1000 };
@@ -272,10 +272,26 @@ static void find_shadows(const kg_sheets *s, const kg_camera *camera, kg_sheet_m
     free(all.items);
 }
 
-/* Soft lines under the edges of layers, which hide the inner half of them: what shows is a shadow
- * on the paper below. */
+/* Bands in the plane of a layer, along its edges and around the corners between them. Lines, as
+ * wide wherever they are seen from, would show through the layers above where these are seen at a
+ * slant. */
+static void add_shadow(mesh *m, const kg_sheets *s, int32_t half, bool goes_on, double by,
+                       double width) {
+    int32_t next = next_half(s, half);
+    kg_vec3 n = s->normals[s->state->halves.items[half].loop], p[3], out[2];
+    for (int k = 0; k < 3; k++)
+        p[k] = kg_madd(s->drawn[k == 0 ? half : k == 1 ? next : next_half(s, next)], by, n);
+    for (int k = 0; k < 2; k++)
+        out[k] = kg_scale(kg_unit(kg_cross(kg_sub(p[k + 1], p[k]), n)), width);
+    add_triangle(m, p[0], kg_add(p[0], out[0]), kg_add(p[1], out[0]));
+    add_triangle(m, p[0], kg_add(p[1], out[0]), p[1]);
+    if (goes_on)
+        add_triangle(m, p[1], kg_add(p[1], out[0]), kg_add(p[1], out[1]));
+}
+
+/* Soft bands beside the edges of layers: shadows on the paper below. */
 static void show_shadows(const kg_sheets *s, const kg_camera *camera, kg_overlay *o) {
-    static const float widths[] = {4, 7, 11};
+    static const double widths[] = {0.004, 0.007, 0.011}; /* over the size of the sheets */
     kg_sheet_marks edges = {0};
     find_shadows(s, camera, &edges);
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
@@ -283,12 +299,13 @@ static void show_shadows(const kg_sheets *s, const kg_camera *camera, kg_overlay
         for (size_t k = 0; k < edges.count; k++) {
             int32_t h = edges.items[k], loop = s->state->halves.items[h].loop;
             double by = SHADOW_DEPTH * s->state->size * (faces_eye(s, camera, loop) ? -1 : 1);
-            add_line(&m, kg_madd(s->drawn[h], by, s->normals[loop]),
-                     kg_madd(s->drawn[next_half(s, h)], by, s->normals[loop]));
+            add_shadow(&m, s, h, kg_sheets_is_marked(&edges, next_half(s, h)), by,
+                       widths[i] * s->state->size);
         }
-        kg_style style = kg_line_style((kg_color){0, 0, 0, SHADOW}, widths[i]);
-        style.exact = true;
-        show_lines(&m, o, style);
+        kg_style style = kg_style_default((kg_color){0, 0, 0, SHADOW});
+        style.back = style.color;
+        style.unlit = style.exact = true;
+        show_surface(&m, o, style);
     }
     free(edges.items);
 }
