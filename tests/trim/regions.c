@@ -3,6 +3,23 @@
 #include <geos_c.h>
 #include <stdlib.h>
 
+static double within(kg_random *r, double spread) {
+    return spread > 0 ? kg_random_in(r, -spread, spread) : 0;
+}
+
+scene random_scene(kg_random *r, size_t count, kg_vec3 spread) {
+    scene s = {.count = count};
+    for (size_t i = 0; i < count; i++) {
+        pair_kind kind = (pair_kind)(kg_random_bits(r) % PAIR_KINDS);
+        kg_vec3 middle;
+        middle.x = within(r, spread.x);
+        middle.y = within(r, spread.y);
+        middle.z = within(r, spread.z);
+        s.patches[i] = random_patch(r, kind, middle);
+    }
+    return s;
+}
+
 void scene_clear(scene *s) {
     for (size_t i = 0; i < SCENE_MAX; i++)
         for (size_t j = 0; j < SCENE_MAX; j++)

@@ -17,6 +17,8 @@ typedef struct scene {
     bool known[SCENE_MAX][SCENE_MAX], coincide[SCENE_MAX][SCENE_MAX];
 } scene;
 
+/* Patches of any kind, each anywhere within `spread` of the origin along each axis. */
+scene random_scene(kg_random *r, size_t count, kg_vec3 spread);
 void scene_clear(scene *s);
 kg_patch_finder scene_finder(const scene *s);
 

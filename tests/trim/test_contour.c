@@ -112,11 +112,7 @@ static void inside_and_outside_make_up_the_whole(void **state) {
     kg_random r = {91};
     size_t done = 0;
     for (int round = 0; round < 400; round++) {
-        scene s = {.count = 2};
-        s.patches[0] =
-            random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS), kg_v3(0, 0, 0));
-        s.patches[1] =
-            random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS), kg_v3(0, 0, 0));
+        scene s = random_scene(&r, 2, kg_v3(0, 0, 0));
         kg_regions now = whole(&s, 0);
         kg_trim trim = scene_trim(&s, 0, NULL);
         kg_cut cut;

@@ -57,10 +57,7 @@ static void triangles_cover_trimmed_regions_and_follow_the_surface(void **state)
     size_t done = 0, holes = 0;
     double worst = 0;
     for (int round = 0; round < 250; round++) {
-        scene s = {.count = 2};
-        for (size_t i = 0; i < 2; i++)
-            s.patches[i] =
-                random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS), kg_v3(0, 0, 0));
+        scene s = random_scene(&r, 2, kg_v3(0, 0, 0));
         kg_regions now = whole(&s, 0), next;
         kg_trim trim = scene_trim(&s, 0, NULL);
         kg_cut cut;

@@ -94,11 +94,8 @@ static void chains_of_trims_partition_the_rectangle(void **state) {
     for (int round = 0; round < 300; round++) {
         char name[32];
         snprintf(name, sizeof name, "chain %d", round);
-        scene s = {.count = 2 + kg_random_bits(&r) % 4};
-        for (size_t i = 0; i < s.count; i++)
-            s.patches[i] = random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS),
-                                        kg_v3(kg_random_in(&r, -15, 15), kg_random_in(&r, -15, 15),
-                                              kg_random_in(&r, -15, 15)));
+        size_t count = 2 + kg_random_bits(&r) % 4;
+        scene s = random_scene(&r, count, kg_v3(15, 15, 15));
         kg_regions first = whole(&s, 0), now = whole(&s, 0);
         kg_trim trim = scene_trim(&s, 0, NULL);
         for (size_t k = 1; k < s.count; k++) {

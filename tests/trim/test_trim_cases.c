@@ -42,10 +42,7 @@ static void both_sides_of_a_seam_are_equally_long_and_share_points(void **state)
     kg_random r = {111};
     size_t seams = 0;
     while (seams < 300) {
-        scene s = {.count = 2};
-        for (size_t i = 0; i < 2; i++)
-            s.patches[i] = random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS),
-                                        kg_v3(kg_random_in(&r, -10, 10), 0, 0));
+        scene s = random_scene(&r, 2, kg_v3(10, 0, 0));
         kg_cut cut;
         if (scene_cut(&s, 0, 1, &cut) && cut.crossings->count == 1 &&
             (cut.crossings->branches[0].closed ||
@@ -83,10 +80,7 @@ static void cutting_twice_by_the_same_patch_changes_nothing(void **state) {
     (void)state;
     kg_random r = {112};
     for (int done = 0; done < 200;) {
-        scene s = {.count = 2};
-        for (size_t i = 0; i < 2; i++)
-            s.patches[i] =
-                random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS), kg_v3(0, 0, 0));
+        scene s = random_scene(&r, 2, kg_v3(0, 0, 0));
         kg_cut cut;
         if (scene_cut(&s, 0, 1, &cut) && cut.crossings->count > 0) {
             kg_regions once = trim_whole(&s, 0, 1, NULL, 0, NULL),
@@ -320,10 +314,7 @@ static void a_bounded_cutter_that_ends_on_the_patch_cuts_it(void **state) {
     (void)state;
     kg_random r = {116};
     for (int done = 0; done < 40;) {
-        scene s = {.count = 2};
-        for (size_t i = 0; i < 2; i++)
-            s.patches[i] =
-                random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS), kg_v3(0, 0, 0));
+        scene s = random_scene(&r, 2, kg_v3(0, 0, 0));
         kg_cut there, back;
         kg_trim_notes notes = {0};
         const kg_vec3 keep = kg_patch_point(&s.patches[0], s.patches[0].extent[0], 0);
@@ -381,10 +372,7 @@ static void each_keep_point_keeps_the_piece_nearest_to_it(void **state) {
     (void)state;
     kg_random r = {115};
     for (int done = 0; done < 30;) {
-        scene s = {.count = 2};
-        for (size_t i = 0; i < 2; i++)
-            s.patches[i] =
-                random_patch(&r, (pair_kind)(kg_random_bits(&r) % PAIR_KINDS), kg_v3(0, 0, 0));
+        scene s = random_scene(&r, 2, kg_v3(0, 0, 0));
         kg_cut cut;
         if (scene_cut(&s, 0, 1, &cut) && cut.crossings->count > 0) {
             kg_regions all = trim_whole(&s, 0, 1, NULL, 0, NULL);

@@ -34,6 +34,17 @@ static kg_status trim_inside(scene *s, const kg_regions *in, const kg_vec3 *keep
     return status;
 }
 
+/* Of the whole rectangle, with what encloses it; has to succeed. */
+static kg_regions must_enclose(scene *s, kg_trim_notes *notes, int round) {
+    kg_regions all = whole(s, 0), out = {0};
+    kg_error error;
+    if (trim_inside(s, &all, NULL, 0, notes, &out, &error))
+        fail_msg("round %d: %s", round, error.message);
+    assert_int_equal(out.count, 1);
+    kg_regions_clear(&all);
+    return out;
+}
+
 static double polygon_area(const kg_vec2 *c, size_t n) {
     double sum = 0;
     for (size_t i = 0; i < n; i++)
@@ -72,18 +83,13 @@ static void tails_beyond_crossings_are_dropped(void **state) {
         kg_vec2 c[6];
         size_t n = random_corners(&r, c);
         scene s = walls_around(&r, c, n, 0.01, 0.2);
-        kg_regions all = whole(&s, 0), out;
         kg_trim_notes notes = {0};
-        kg_error error;
-        if (trim_inside(&s, &all, NULL, 0, &notes, &out, &error))
-            fail_msg("round %d: %s", round, error.message);
-        assert_int_equal(out.count, 1);
+        kg_regions out = must_enclose(&s, &notes, round);
         assert_int_equal(out.items[0].loop_count, 1);
         assert_int_equal(out.items[0].loops[0].edge_count, n);
         assert_near(total(&s, 0, &out).space_moment, polygon_area(c, n), 1e-6);
         assert_int_equal(notes.count, 0);
         kg_regions_clear(&out);
-        kg_regions_clear(&all);
         scene_clear(&s);
     }
 }
@@ -95,12 +101,8 @@ static void ends_that_miss_each_other_are_joined(void **state) {
         kg_vec2 c[6];
         size_t n = random_corners(&r, c);
         scene s = walls_around(&r, c, n, -0.03, -0.001);
-        kg_regions all = whole(&s, 0), out;
         kg_trim_notes notes = {0};
-        kg_error error;
-        if (trim_inside(&s, &all, NULL, 0, &notes, &out, &error))
-            fail_msg("round %d: %s", round, error.message);
-        assert_int_equal(out.count, 1);
+        kg_regions out = must_enclose(&s, &notes, round);
         double area = polygon_area(c, n), got = total(&s, 0, &out).space_moment;
         assert_true(got < area && got > 0.98 * area);
         assert_int_equal(notes.count, n);
@@ -110,7 +112,6 @@ static void ends_that_miss_each_other_are_joined(void **state) {
         }
         free(notes.items);
         kg_regions_clear(&out);
-        kg_regions_clear(&all);
         scene_clear(&s);
     }
 }
@@ -123,14 +124,9 @@ static void tails_and_gaps_mix(void **state) {
         kg_vec2 c[6];
         size_t n = random_corners(&r, c);
         scene s = walls_around(&r, c, n, -0.02, 0.08);
-        kg_regions all = whole(&s, 0), out;
-        kg_error error;
-        if (trim_inside(&s, &all, NULL, 0, NULL, &out, &error))
-            fail_msg("round %d: %s", round, error.message);
-        assert_int_equal(out.count, 1);
+        kg_regions out = must_enclose(&s, NULL, round);
         assert_near(total(&s, 0, &out).space_moment, polygon_area(c, n), 0.03 * polygon_area(c, n));
         kg_regions_clear(&out);
-        kg_regions_clear(&all);
         scene_clear(&s);
     }
 }
