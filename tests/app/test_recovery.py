@@ -121,6 +121,19 @@ def test_of_several_crashes_the_last_is_offered_first():
         assert not half.exists()
 
 
+def test_a_card_comes_back_with_its_history():
+    with tempfile.TemporaryDirectory() as folder:
+        run(folder, 'command file.new_card {"size": [12, 8, 8]}', "save card.katagami",
+            "autosave 2", 'command card.box {"from": [3, 0, 0], "to": [8, 3, 5]}',
+            'command card.window {"x": 5, "z": 2}', "wait 121")
+        run(folder, "recover", 'click "Recover"', "expect modified", "expect size 12 8 8",
+            "expect depth 3 5 4", "expect window 5 2", "expect loose 1", "key Ctrl+Z",
+            "expect windows 0", "key Ctrl+Z", "expect depth 3 5 0", "key Ctrl+Y", "key Ctrl+Y",
+            "expect window 5 2", "key Ctrl+S", "expect unmodified")
+        card = json.loads(pathlib.Path(folder, "card.katagami").read_text(encoding="utf-8"))
+        assert card["oa"]["windows"] == [[5, 2]], card
+
+
 def test_killed_while_saving_the_file_is_the_old_or_the_new_one():
     chance = random.Random(4)
     with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,5 @@
-"""Undo and redo of every command that edits patches or folds sheets: of random ones, each state comes
-back byte by byte. usage: test_undo.py KATAGAMI"""
+"""Undo and redo of every command that edits patches, sheets or cards: of random ones, each state
+comes back byte by byte. usage: test_undo.py KATAGAMI"""
 
 import json
 import os
@@ -144,6 +144,55 @@ class Folds:
             ("net.set", {"margin": self.random.uniform(0, 20)})])
 
 
+class Cards:
+    """Random edits of cards, few of which lie outside it."""
+    start = "card.katagami"
+    least = STEPS // 3
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+
+    def spot(self):
+        return {k: self.random.randint(0, 9 if k == "x" else 7) for k in "xyz"}
+
+    def face(self):
+        return {k: self.random.randint(0, 9 if k == "x" else 4) for k in "xz"}
+
+    def on(self):
+        return self.random.random() < 0.5
+
+    def box(self):
+        ends = list(self.spot().values()), list(self.spot().values())
+        return {"from": ends[0], "to": ends[1], "remove": self.random.random() < 0.2}
+
+    def next(self):
+        size = {"width": self.random.randint(8, 14), "depth": self.random.randint(6, 9),
+                "height": self.random.randint(6, 9)}
+        some = dict(self.random.sample(sorted(size.items()), 2))
+        by = {"by": self.random.choice([-2, -1, 1, 2])}
+        spot, face = self.spot(), self.face()
+        return self.random.choice([
+            ("card.add", spot), ("card.remove", spot),
+            ("card.box", self.box()), ("card.box", self.box()), ("card.box", self.box()),
+            ("card.pull", face | by),
+            ("card.pull", {"x": spot["x"], "y": spot["y"], "top": True} | by),
+            ("card.window", face), ("card.window", face | {"on": self.on()}),
+            ("card.top", face), ("card.fill_windows", {}),
+            ("card.fill_windows", {"from": [0, 0, 0], "to": list(spot.values())}),
+            ("card.omit_thin", {"depth": self.random.randint(0, 3)}),
+            ("card.mirror_now", {"from": self.random.choice(["left", "right"])}),
+            ("card.diagonals", {"on": self.on()}), ("card.resize", some),
+            ("card.symmetry", {"on": self.on()}),
+            ("card.clear", {}) if self.on() else ("card.box", self.box()),
+            ("card.set", {"title": self.random.choice(["", "家 \"n\"", "a"]),
+                          "cell_mm": self.random.uniform(0.5, 20)}),
+            ("card.set", {"margin_cells": self.random.randint(0, 3),
+                          "tiny_mm": self.random.uniform(0, 5)}),
+            ("net.set", {"margin": self.random.uniform(0, 20), "landscape": self.on(),
+                         "paper": self.random.choice(["a4", "a3"])}),
+        ])
+
+
 def content(path):
     """The bytes of a model without its history."""
     text = path.read_text(encoding="utf-8")
@@ -190,6 +239,9 @@ def check(edits, seed, folder):
     model = json.loads((HERE / edits.start).read_text(encoding="utf-8"))
     if model["kind"] == "patches":
         model["reference"] = {"file": "mesh.obj"}
+    if model["kind"] == "oa":  # all keys, so that none appears on the way
+        model["oa"] |= {"margin_cells": 0, "tiny_mm": 2, "diagonals": False,
+                        "windows": [], "omitted": []}
     (folder / "mesh.obj").write_text("v 0 0 0\nv 50 0 0\nv 0 50 0\nf 1 2 3\n")
     (folder / "start.katagami").write_text(json.dumps(model), encoding="utf-8")
     lines = [f"open {folder}/start.katagami", "wait", f"save {folder}/done000.katagami"]
@@ -213,7 +265,7 @@ def check(edits, seed, folder):
 
 
 def main():
-    for kind in (Patches, Folds):
+    for kind in (Patches, Folds, Cards):
         for seed in range(1, 4):
             with tempfile.TemporaryDirectory() as folder:
                 steps = check(kind(seed), seed, pathlib.Path(folder))
