@@ -18,7 +18,10 @@ kg_patch make_patch(const kg_vec3 *points, size_t count, double lo, double hi,
 
 static kg_vec3 direction(kg_random *r) {
     for (;;) {
-        kg_vec3 v = kg_v3(kg_random_in(r, -1, 1), kg_random_in(r, -1, 1), kg_random_in(r, -1, 1));
+        kg_vec3 v; /* one by one: compilers evaluate arguments in orders of their own */
+        v.x = kg_random_in(r, -1, 1);
+        v.y = kg_random_in(r, -1, 1);
+        v.z = kg_random_in(r, -1, 1);
         double n = kg_len(v);
         if (n > 0.1 && n < 1)
             return kg_scale(v, 1 / n);

@@ -109,13 +109,16 @@ static bool naive_holds(const kg_patch *p) {
 
 static bool lattice_patch(kg_random *r, int span, kg_patch *out) {
     kg_patch_input in = {.point_count = kg_random_in(r, 0, 1) < 0.6 ? 4 : 6, .has_ruling = true};
-    for (size_t i = 0; i < in.point_count; i++)
-        in.points[i] =
-            kg_v3(10 * floor(kg_random_in(r, 0, span)), 10 * floor(kg_random_in(r, 0, span)),
-                  10 * floor(kg_random_in(r, 0, span)));
+    for (size_t i = 0; i < in.point_count; i++) {
+        in.points[i].x = 10 * floor(kg_random_in(r, 0, span));
+        in.points[i].y = 10 * floor(kg_random_in(r, 0, span));
+        in.points[i].z = 10 * floor(kg_random_in(r, 0, span));
+    }
     in.extent[0] = -10 * floor(kg_random_in(r, 0, 4));
     in.extent[1] = in.extent[0] + 10 * floor(kg_random_in(r, 1, 5));
-    in.ruling = kg_v3(floor(kg_random_in(r, 0, 3)), floor(kg_random_in(r, 0, 3)), 1);
+    in.ruling.x = floor(kg_random_in(r, 0, 3));
+    in.ruling.y = floor(kg_random_in(r, 0, 3));
+    in.ruling.z = 1;
     return kg_patch_init(&in, out, NULL) == KG_OK && naive_holds(out);
 }
 
