@@ -27,6 +27,10 @@ enum { MAX_ITEMS = 4 };
 #define PATCH_CREASE 3.2
 #define CARD_CREASE 0.02
 
+/* A closed card is drawn open by this much, rad: sheets that lie on each other would be drawn
+ * through each other. No corner moves by more than a three-hundredth of the card. */
+#define AJAR 0.003
+
 typedef struct picture {
     int width, height, samples;
     kg_view view;
@@ -248,7 +252,7 @@ int kg_command_render(int argc, char **argv) {
         status = kg_document_set_step(document, (size_t)wanted.step, &error);
     if (!status) {
         kg_document_set_fraction(document, wanted.fraction);
-        kg_document_set_open(document, wanted.open_deg * KG_PI / 180);
+        kg_document_set_open(document, fmax(wanted.open_deg * KG_PI / 180, AJAR));
         kg_card_warn(document, "render");
         status = draw(document, &wanted, path, &error);
     }
