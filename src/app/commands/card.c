@@ -45,6 +45,8 @@ static kg_status read_spot(const kg_editor *e, const json_t *a, const char *name
         return status;
     if (!(fabs(v.x) < 1e6 && fabs(v.y) < 1e6 && fabs(v.z) < 1e6))
         return kg_fail(error, KG_ERR_INPUT, "\"%s\" is outside the card", name);
+    if (v.x != floor(v.x) || v.y != floor(v.y) || v.z != floor(v.z))
+        return kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be three whole numbers", name);
     *out = (kg_spot){(int)v.x, (int)v.y, (int)v.z};
     return inside(e, *out, error);
 }

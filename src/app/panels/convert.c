@@ -232,10 +232,21 @@ static void tell(const kg_conversion *c, const kg_oa_options *o) {
     snprintf(text, sizeof text, _("Sheet: %.4g × %.4g mm"), o->width * o->cell_mm,
              (o->depth + o->height) * o->cell_mm);
     kg_ui_text_dim(text);
-    if (c->error[0] && !c->job)
+    const kg_oa_stability *stability =
+        c->made.document ? kg_document_stability(c->made.document) : NULL;
+    size_t loose = 0; /* flaps follow their own weight, as in the card's panel */
+    for (size_t i = 0; stability && i < stability->patch_count; i++)
+        loose += !stability->patches[i].stable && !stability->patches[i].flap;
+    if (c->job)
+        kg_ui_progress(kg_convert_job_fraction(c->job), "");
+    else if (c->error[0])
         kg_ui_text_wrapped(c->error);
-    else
-        kg_ui_progress(c->job ? kg_convert_job_fraction(c->job) : 1, "");
+    else if (loose > 0) {
+        snprintf(text, sizeof text, _("Works, but %zu patches are loose"), loose);
+        kg_ui_text(text);
+    } else if (stability) {
+        kg_ui_text(_("Works: one sheet that pops up"));
+    }
 }
 
 /* ---- the dialog -------------------------------------------------------------------------- */
