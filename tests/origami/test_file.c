@@ -119,8 +119,8 @@ static void test_fold_files_come_back_equal(void **user) {
             const kg_origami_state *s = last(o);
             kg_vec3 from = s->vertices.items[kg_random_bits(&r) % s->vertices.count].position,
                     to = s->vertices.items[kg_random_bits(&r) % s->vertices.count].position;
-            kg_fold f = fold_to(from, kg_lerp(from, to, kg_random_in(&r, 0.2, 1.2)),
-                                angles[kg_random_bits(&r) % 4]);
+            to = kg_lerp(from, to, kg_random_in(&r, 0.2, 1.2));
+            kg_fold f = fold_to(from, to, angles[kg_random_bits(&r) % 4]);
             folds += kg_origami_fold(o, &f, NULL) == KG_OK;
         }
         char *text;

@@ -31,7 +31,8 @@ static kg_vec3 random_vertex(kg_random *r, const kg_origami_state *s) {
 
 static kg_fold random_fold(kg_random *r, const kg_origami_state *s) {
     static const double angles[] = {180, -180, 180, -180, 180, -180, 90, -60};
-    kg_fold f = fold_to(random_vertex(r, s), random_vertex(r, s), angles[kg_random_bits(r) % 8]);
+    kg_vec3 from = random_vertex(r, s), to = random_vertex(r, s);
+    kg_fold f = fold_to(from, to, angles[kg_random_bits(r) % 8]);
     int kind = (int)(kg_random_bits(r) % 4);
     if (kind == 1) { /* to a point that is no vertex */
         f.points[1] = kg_lerp(f.points[0], f.points[1], kg_random_in(r, 0.3, 0.9));
@@ -39,7 +40,8 @@ static kg_fold random_fold(kg_random *r, const kg_origami_state *s) {
         f.by_axis = true, f.vertex = random_vertex(r, s);
     } else if (kind == 3) {
         f.by_axis = true, f.vertex = random_vertex(r, s);
-        f.points[1] = kg_lerp(f.points[1], random_vertex(r, s), kg_random_in(r, 0.2, 0.8));
+        kg_vec3 other = random_vertex(r, s);
+        f.points[1] = kg_lerp(f.points[1], other, kg_random_in(r, 0.2, 0.8));
     }
     f.layers = (int32_t)(kg_random_bits(r) % 3);
     return f;
@@ -69,8 +71,9 @@ static void test_random(void **user) {
         kg_random r = {seed};
         kg_origami *o = kg_origami_create();
         add_rectangle(o, 0, 0, 100, kg_random_in(&r, 60, 100));
+        double x = kg_random_in(&r, -60, 60), y = kg_random_in(&r, -60, 60);
         if (seed % 3 == 0)
-            add_rectangle(o, kg_random_in(&r, -60, 60), kg_random_in(&r, -60, 60), 80, 80);
+            add_rectangle(o, x, y, 80, 80);
         size_t length = 1 + kg_random_bits(&r) % 12;
         for (size_t tries = 0;
              tries < 40 && kg_origami_step(o) < length && last(o)->loops.count < 80; tries++) {
