@@ -237,15 +237,16 @@ static void tell(const kg_conversion *c, const kg_oa_options *o) {
     size_t loose = 0; /* flaps follow their own weight, as in the card's panel */
     for (size_t i = 0; stability && i < stability->patch_count; i++)
         loose += !stability->patches[i].stable && !stability->patches[i].flap;
-    if (c->job)
-        kg_ui_progress(kg_convert_job_fraction(c->job), "");
-    else if (c->error[0])
+    /* one bar for all, so that nothing moves under the pointer */
+    if (c->error[0] && !c->job)
         kg_ui_text_wrapped(c->error);
+    else if (c->job || !stability)
+        kg_ui_progress(c->job ? kg_convert_job_fraction(c->job) : 0, "");
     else if (loose > 0) {
         snprintf(text, sizeof text, _("Works, but %zu patches are loose"), loose);
-        kg_ui_text(text);
-    } else if (stability) {
-        kg_ui_text(_("Works: one sheet that pops up"));
+        kg_ui_progress(0, text);
+    } else {
+        kg_ui_progress(0, _("Works: one sheet that pops up"));
     }
 }
 
