@@ -173,6 +173,7 @@ static void resize(kg_editor *e, int width, int depth, int height) {
         *oa = *copy;
         *copy = kept;
         kg_editor_touch(e);
+        kg_editor_update(e); /* at once: the cursor may be outside now */
     }
     kg_oa_destroy(copy);
 }

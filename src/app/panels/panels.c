@@ -17,6 +17,7 @@ void kg_panels_show(kg_app *app) {
     kg_panel_axes(app);
     kg_panel_toolbar(app, (kg_area){0, menu, tools, middle});
     app->editor.mode->side(app, (kg_area){width - side, menu, side, middle});
+    kg_editor_update(&app->editor); /* the others show what its fields have changed */
     kg_panel_status(app, (kg_area){0, height - bottom, width, bottom});
     kg_panel_start(app);
     kg_panel_context_menu(app);
