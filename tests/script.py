@@ -3,12 +3,23 @@
 A test fails by raising (assert does), and skips by raising Skip with the reason.
 """
 
+import subprocess
 import sys
 import traceback
 
 
 class Skip(Exception):
     pass
+
+
+def program(path, folder):
+    """A function that runs the program in a folder and asserts with which code it ends."""
+    def run_it(*words, expect=0):
+        done = subprocess.run([path, *map(str, words)], capture_output=True, text=True, cwd=folder,
+                              check=False)
+        assert done.returncode == expect, (words, done.returncode, done.stdout, done.stderr)
+        return done
+    return run_it
 
 
 def run(namespace):

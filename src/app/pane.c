@@ -1,5 +1,7 @@
 #include "app/pane.h"
 
+#include <string.h>
+
 /* Radians per layout unit of an orbit: half a turn across a window of 700. */
 #define ORBIT_SPEED 0.0045
 #define ZOOM_NOTCH 1.15
@@ -54,6 +56,25 @@ bool kg_pane_along_axis(const kg_pane *v, kg_vec2 px, kg_vec3 through, kg_vec3 a
         return false;
     *out_mm = (kg_dot(w, axis) - b * kg_dot(w, d)) / den;
     return isfinite(*out_mm);
+}
+
+static double distance_of(const void *hit) {
+    double distance;
+    memcpy(&distance, hit, sizeof distance);
+    return distance;
+}
+
+size_t kg_hits_keep(void *hits, size_t count, size_t most, const void *hit, size_t size) {
+    char *items = hits;
+    size_t at = count;
+    while (at > 0 && distance_of(items + (at - 1) * size) > distance_of(hit))
+        at--;
+    if (at == most)
+        return count;
+    size_t kept = count < most ? count + 1 : most;
+    memmove(items + (at + 1) * size, items + at * size, (kept - 1 - at) * size);
+    memcpy(items + at * size, hit, size);
+    return kept;
 }
 
 double kg_pane_pixel_mm(const kg_pane *v, kg_vec3 point) {

@@ -34,6 +34,11 @@ bool kg_pane_on_plane(const kg_pane *pane, kg_vec2 px, kg_vec3 through, kg_vec3 
  * mm; false when the axis is seen end-on. */
 bool kg_pane_along_axis(const kg_pane *pane, kg_vec2 px, kg_vec3 through, kg_vec3 axis,
                         double *out_mm);
+/* Keeps the `most` nearest hits along a ray, nearest first, earlier ones before others as far;
+ * returns how many there are now. A hit is a struct of `size` bytes that begins with its distance,
+ * a double.
+ */
+size_t kg_hits_keep(void *hits, size_t count, size_t most, const void *hit, size_t size);
 /* Size of a pixel at a point, mm. */
 double kg_pane_pixel_mm(const kg_pane *pane, kg_vec3 point);
 

@@ -23,9 +23,9 @@ typedef struct kg_surfaces {
 
 /* Where a line of sight meets a patch. */
 typedef struct kg_hit {
+    double distance; /* mm from the ray's origin; first, see kg_hits_keep */
     int64_t patch;
     size_t piece;
-    double distance; /* mm from the ray's origin */
     kg_vec3 point, normal;
     double u, v;
 } kg_hit;

@@ -30,25 +30,9 @@ typedef struct solver {
 
 /* ---- bits ------------------------------------------------------------------------------- */
 
-/* Index of a pair among the orders; -1 when the loops do not overlap. */
-static int32_t pair_of(const kg_origami_state *s, int32_t a, int32_t b) {
-    int32_t lo = a < b ? a : b, hi = a < b ? b : a;
-    size_t first = 0, last = s->orders.count;
-    while (first < last) {
-        size_t middle = first + (last - first) / 2;
-        const kg_layer_order *o = &s->orders.items[middle];
-        if (o->a < lo || (o->a == lo && o->b < hi))
-            first = middle + 1;
-        else
-            last = middle;
-    }
-    const kg_layer_order *o = &s->orders.items[first];
-    return first < s->orders.count && o->a == lo && o->b == hi ? (int32_t)first : -1;
-}
-
 /* "b lies above a" as a literal; -1 when they do not overlap. */
 static int32_t literal(const solver *v, int32_t a, int32_t b) {
-    int32_t pair = pair_of(v->state, a, b);
+    int32_t pair = kg_order_index(v->state, a, b);
     return pair < 0 ? -1 : 2 * pair + (a > b);
 }
 

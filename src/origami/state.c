@@ -68,7 +68,7 @@ kg_origami_state *kg_state_copy(const kg_origami_state *s, bool orders) {
 
 /* ---- questions -------------------------------------------------------------------------- */
 
-int kg_origami_order(const kg_origami_state *s, int32_t a, int32_t b) {
+int32_t kg_order_index(const kg_origami_state *s, int32_t a, int32_t b) {
     int32_t lo = a < b ? a : b, hi = a < b ? b : a;
     size_t first = 0, last = s->orders.count;
     while (first < last) {
@@ -79,16 +79,19 @@ int kg_origami_order(const kg_origami_state *s, int32_t a, int32_t b) {
         else
             last = middle;
     }
-    if (first == s->orders.count)
-        return 0;
     const kg_layer_order *o = &s->orders.items[first];
-    if (o->a != lo || o->b != hi)
+    return first < s->orders.count && o->a == lo && o->b == hi ? (int32_t)first : -1;
+}
+
+int kg_origami_order(const kg_origami_state *s, int32_t a, int32_t b) {
+    int32_t index = kg_order_index(s, a, b);
+    if (index < 0)
         return 0;
+    const kg_layer_order *o = &s->orders.items[index];
     if (a < b)
         return o->side;
     /* a seen from b: b's front looks the same way as a's, or against it */
-    kg_vec3 na = kg_origami_normal(s, lo), nb = kg_origami_normal(s, hi);
-    return kg_dot(na, nb) > 0 ? -o->side : o->side;
+    return kg_dot(kg_origami_normal(s, o->a), kg_origami_normal(s, o->b)) > 0 ? -o->side : o->side;
 }
 
 kg_vec3 kg_origami_normal(const kg_origami_state *s, int32_t loop) {

@@ -33,6 +33,9 @@ kg_origami_state *kg_state_share(kg_origami_state *state);
 /* A copy; without its orders when these are going to be others. */
 kg_origami_state *kg_state_copy(const kg_origami_state *state, bool orders);
 
+/* Where two loops stand in the list of orders; -1 when they do not overlap. */
+int32_t kg_order_index(const kg_origami_state *state, int32_t a, int32_t b);
+
 /* Faces as lists of vertices, counter-clockwise in paper coordinates: face i has the corners
  * corners[starts[i]] … corners[starts[i + 1] - 1]. */
 typedef struct kg_face_list {

@@ -18,11 +18,7 @@ FOLDER = tempfile.TemporaryDirectory()
 HERE = pathlib.Path(FOLDER.name)
 
 
-def run(*words, expect=0):
-    done = subprocess.run([KATAGAMI, *map(str, words)], capture_output=True, text=True, cwd=HERE,
-                          check=False)
-    assert done.returncode == expect, (words, done.returncode, done.stdout, done.stderr)
-    return done
+run = script.program(KATAGAMI, HERE)
 
 
 def sheet(folds=(), **more):

@@ -58,15 +58,7 @@ size_t kg_sheets_hit(const kg_editor *e, kg_vec2 px, kg_sheet_hit *out_hits, siz
         kg_sheet_hit hit;
         if (!hit_loop(s, i, origin, direction, &hit))
             continue;
-        size_t at = count < most ? count : most;
-        while (at > 0 && out_hits[at - 1].distance > hit.distance)
-            at--;
-        if (at == most)
-            continue;
-        count += count < most;
-        for (size_t k = count - 1; k > at; k--)
-            out_hits[k] = out_hits[k - 1];
-        out_hits[at] = hit;
+        count = kg_hits_keep(out_hits, count, most, &hit, sizeof hit);
     }
     return count;
 }

@@ -6,9 +6,9 @@
 
 /* Where a line of sight goes through a layer. */
 typedef struct kg_sheet_hit {
+    double distance; /* mm from the eye, as drawn; first, see kg_hits_keep */
     int32_t loop;
     bool front;       /* it is seen from the front */
-    double distance;  /* mm from the eye, as drawn */
     kg_vec3 drawn;    /* in space, as drawn */
     kg_vec3 position; /* without the thickness of layers */
     kg_vec2 paper;    /* on the sheet */
