@@ -79,8 +79,10 @@ int32_t kg_order_index(const kg_origami_state *s, int32_t a, int32_t b) {
         else
             last = middle;
     }
+    if (first == s->orders.count)
+        return -1;
     const kg_layer_order *o = &s->orders.items[first];
-    return first < s->orders.count && o->a == lo && o->b == hi ? (int32_t)first : -1;
+    return o->a == lo && o->b == hi ? (int32_t)first : -1;
 }
 
 int kg_origami_order(const kg_origami_state *s, int32_t a, int32_t b) {
