@@ -22,7 +22,9 @@ PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 SANITIZED = "LD_PRELOAD" in os.environ
 POINTS = [[0, -40, 0], [0, -20, 30], [0, 20, 30], [0, 40, 0]]
 STEP = 0.5  # mm
-KILLS = 24
+KILLS = 6 if SANITIZED else 24
+KILLS_MOST = 80
+DEADLINE_S = 30  # for the edits of a session
 EDITS = 3000  # more than are done before the kill
 AUTOSAVE_S = 0.4  # by the script's clock, in which an edit takes EDIT_S: itself and the mesh
 EDIT_S = 2 / 60
@@ -104,11 +106,12 @@ class Session:
         process = subprocess.Popen([PROGRAM, "edit", "--headless", "--script", text],
                                    cwd=self.folder, env=environment, stderr=subprocess.PIPE,
                                    text=True)
-        began = time.monotonic()
-        while (process.poll() is None and edits_seen(self.mesh) == before and
-               time.monotonic() - began < 20):
-            time.sleep(0.01)
-        time.sleep(self.chance.uniform(0, 0.5))
+        # So many edits later, not so much time: a slow machine has to reach the autosaves as well.
+        edits, began = self.chance.randint(1, 60), time.monotonic()
+        while (process.poll() is None and abs(edits_seen(self.mesh) - before) < edits and
+               time.monotonic() - began < DEADLINE_S):
+            time.sleep(0.002)
+        time.sleep(self.chance.uniform(0, 0.05))
         process.kill()
         said = process.communicate()[1]
         if "EGL" in said or "OpenGL" in said:
@@ -127,11 +130,13 @@ class Session:
 
 def test_killed_at_any_moment_files_are_whole_and_little_is_lost():
     with tempfile.TemporaryDirectory() as folder:
-        session, offered = Session(folder, random.Random(7)), 0
-        for _ in range(6 if SANITIZED else KILLS):
+        session, kills, offered = Session(folder, random.Random(7)), 0, 0
+        # Where exactly a kill hits is not ours to say: on until work was offered often enough.
+        while kills < KILLS or offered < 3 or session.recovered < 2:
+            assert kills < KILLS_MOST, f"of {kills} sessions {offered} left work to go on with"
             session.run_and_kill()
             offered += session.check()
-        assert offered >= 3 and session.recovered >= 2, "the moments were not random enough"
+            kills += 1
 
 
 sys.exit(script.run(globals()))
