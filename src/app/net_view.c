@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Layout units: how near the pointer has to be to an edge or handle, and where the handle is. */
-enum { NEAR = 6, HANDLE_NEAR = 9, HANDLE_DISTANCE = 22, FIT_MARGIN = 16 };
+/* Layout units: how near the pointer has to be to an edge, and where the handle is. */
+enum { NEAR = 6, HANDLE_DISTANCE = 22, FIT_MARGIN = 16 };
 
 static const kg_net_picture *picture_of(const kg_net_view *v) {
     return kg_net_state_picture(v->state);

@@ -164,9 +164,8 @@ static void wait(const kg_app *app) {
 }
 
 static kg_status loop(window *w, kg_error *error) {
-    static const int shapes[] = {GLFW_ARROW_CURSOR,    GLFW_IBEAM_CURSOR,   GLFW_CROSSHAIR_CURSOR,
-                                 GLFW_HRESIZE_CURSOR,  GLFW_VRESIZE_CURSOR, GLFW_HAND_CURSOR,
-                                 GLFW_CROSSHAIR_CURSOR};
+    static const int shapes[] = {GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR,   GLFW_CROSSHAIR_CURSOR,
+                                 GLFW_HRESIZE_CURSOR, GLFW_VRESIZE_CURSOR, GLFW_HAND_CURSOR};
     GLFWcursor *cursors[sizeof shapes / sizeof *shapes];
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
         cursors[i] = glfwCreateStandardCursor(shapes[i]);

@@ -7,10 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-kg_vec3 kg_box_middle(kg_box3 box) {
-    return kg_lerp(box.lo, box.hi, 0.5);
-}
-
 double kg_box_size(kg_box3 box) {
     return box.lo.x > box.hi.x ? 0 : kg_dist(box.lo, box.hi);
 }

@@ -42,8 +42,7 @@ kg_status kg_assembly_create(const kg_document *document, const kg_net *net, kg_
                              kg_assembly **out_assembly, kg_error *error) KG_CHECKED;
 void kg_assembly_destroy(kg_assembly *assembly);
 
-/* The middle of a box, and the length of its diagonal (0 when it is empty). */
-kg_vec3 kg_box_middle(kg_box3 box);
+/* The length of a box's diagonal, 0 when it is empty. */
 double kg_box_size(kg_box3 box);
 
 #endif

@@ -326,16 +326,6 @@ bool kg_sheets_is_marked(const kg_sheet_marks *marks, int32_t index) {
     return false;
 }
 
-void kg_sheets_mark(kg_sheet_marks *marks, int32_t index, bool on) {
-    size_t kept = 0;
-    for (size_t i = 0; i < marks->count; i++)
-        if (marks->items[i] != index)
-            marks->items[kept++] = marks->items[i];
-    marks->count = kept;
-    if (on && !kg_push(marks, index))
-        return; /* not marked, as the user will see */
-}
-
 /* ---- life -------------------------------------------------------------------------------- */
 
 kg_status kg_sheets_create(const kg_document *document, void **out_state, kg_error *error) {

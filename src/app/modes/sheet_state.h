@@ -115,8 +115,6 @@ kg_status kg_sheets_fold_from_here(kg_editor *editor, kg_error *error) KG_CHECKE
 
 void kg_sheets_unmark(kg_editor *editor); /* all, and what is hovered */
 bool kg_sheets_is_marked(const kg_sheet_marks *marks, int32_t index);
-/* Marks are sets; a mark that no memory is left for is not made. */
-void kg_sheets_mark(kg_sheet_marks *marks, int32_t index, bool on);
 
 /* Another one that shows the sheets after `step` folds, for a picture of its own; clear it after
  * use, while `sheets` still lives. False without memory. */

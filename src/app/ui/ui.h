@@ -59,8 +59,7 @@ typedef enum kg_ui_cursor {
     KG_CURSOR_MOVE,
     KG_CURSOR_RESIZE_X,
     KG_CURSOR_RESIZE_Y,
-    KG_CURSOR_HAND,
-    KG_CURSOR_CROSS
+    KG_CURSOR_HAND
 } kg_ui_cursor;
 kg_ui_cursor kg_ui_get_cursor(void);
 
@@ -128,7 +127,6 @@ void kg_ui_text(const char *text);
 void kg_ui_text_dim(const char *text);
 void kg_ui_text_wrapped(const char *text);
 void kg_ui_text_color(kg_color color, const char *text);
-void kg_ui_bullet(void);
 
 bool kg_ui_button(const char *label);
 bool kg_ui_primary_button(const char *label); /* Enter presses it too */
@@ -199,20 +197,17 @@ typedef enum kg_icon {
     KG_ICON_NEXT,
     KG_ICON_LAST,
     KG_ICON_ADD,
-    KG_ICON_COPY,
-    KG_ICON_COUNT
+    KG_ICON_COPY
 } kg_icon;
 /* `size` 0: as high as text. */
 bool kg_ui_icon_button(const char *label, kg_icon icon, bool on, double size);
 void kg_ui_icon(kg_icon icon, kg_color color);
-bool kg_ui_swatch(const char *label, kg_color color);
 
 /* Colours the edge of the table cell that begins here. */
 void kg_ui_mark(kg_color color);
 
 bool kg_ui_item_hovered(void);
 bool kg_ui_item_double_clicked(void);
-bool kg_ui_item_right_clicked(void);
 void kg_ui_scroll_here(void);
 bool kg_ui_mouse_held(void);
 bool kg_ui_key_pressed(int key); /* in this frame, whoever has the keyboard */

@@ -119,9 +119,6 @@ void kg_ui_text_color(kg_color color, const char *text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(rgba(color), "%s", see(text));
 }
-void kg_ui_bullet(void) {
-    ImGui::Bullet();
-}
 
 bool kg_ui_button(const char *label) {
     return shown(label, ImGui::Button(see(label)));
@@ -243,11 +240,6 @@ void kg_ui_icon(kg_icon icon, kg_color color) {
     kg_icon_draw(icon, item_area(), color.a > 0 ? color : text_color());
     ui.canvas = before;
 }
-bool kg_ui_swatch(const char *label, kg_color color) {
-    float side = ImGui::GetFrameHeight() * 0.7f;
-    return shown(label, ImGui::ColorButton(label, rgba(color), ImGuiColorEditFlags_NoTooltip,
-                                           ImVec2(side, side)));
-}
 
 void kg_ui_mark(kg_color color) {
     ImVec2 at = ImGui::GetCursorScreenPos();
@@ -261,9 +253,6 @@ bool kg_ui_item_hovered(void) {
 }
 bool kg_ui_item_double_clicked(void) {
     return ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
-}
-bool kg_ui_item_right_clicked(void) {
-    return ImGui::IsItemHovered() && ImGui::IsMouseReleased(1);
 }
 void kg_ui_scroll_here(void) {
     ImGui::SetScrollHereY();
