@@ -5,8 +5,9 @@
  * Joins, front cells and both floods are kept as rows of bits. A flood never turns back a row, so
  * after a change only the rows of the stretch and those beyond it are worked out again, each only
  * in the joined stretches of cells that the change or the row before has touched, until a row comes
- * out as it was. Every change is written down and can be taken back. The answer is that of
- * kg_oa_flood (and is tested to be).
+ * out as it was. Where all cells beside the change are reached, and straight from the row before,
+ * nothing can come out otherwise: that is nearly everywhere, and is told of many rows at once. All
+ * changes can be taken back. The answer is that of kg_oa_flood (and is tested to be).
  */
 #ifndef KG_OA_REACH_H
 #define KG_OA_REACH_H

@@ -22,51 +22,44 @@ void kg_oa_window_run(const kg_oa *oa, int x, int z, int *out_z0, int *out_z1, i
     *out_last = kg_oa_front_row(oa, x, z0);
 }
 
-static void lay_path(const kg_oa *oa, kg_oa_sheet *s, int x) {
+static void lay_path(const kg_oa *oa, int x, int32_t *place, unsigned char *marks) {
     int y = 0, z = oa->height;
-    for (int row = 0; row < s->rows; row++) {
-        size_t cell = kg_oa_cell(s, x, row);
-        if (z == 0 || kg_oa_depth(oa, x, z - 1) > y) {
-            s->place[cell] = kg_oa_place(y++, true);
-        } else {
-            s->place[cell] = kg_oa_place(y, false);
-            s->marks[cell] = y > 0 ? KG_OA_FRONT : 0;
-            z--;
-        }
+    for (int row = 0; row < oa->height + oa->depth_limit; row++) {
+        bool out = z == 0 || kg_oa_depth(oa, x, z - 1) > y;
+        place[row] = kg_oa_place(y, out);
+        marks[row] = !out && y > 0 ? KG_OA_FRONT : 0;
+        y += out;
+        z -= !out;
     }
 }
 
-static void drop_top(const kg_oa *oa, kg_oa_sheet *s, int x, int z) {
-    int depth = z < oa->height ? kg_oa_depth(oa, x, z) : 0;
+static void drop_top(const kg_oa *oa, int x, int z, int32_t *place, unsigned char *marks) {
+    int depth = z < oa->height ? kg_oa_depth(oa, x, z) : 0, first = oa->height - z + depth;
     for (int i = 0; i < kg_oa_top(oa, x, z); i++) {
-        size_t cell = kg_oa_cell(s, x, oa->height - z + depth + i);
-        s->place[cell] = kg_oa_fallen_place(depth, z, i);
-        s->marks[cell] = KG_OA_FALLEN;
+        place[first + i] = kg_oa_fallen_place(depth, z, i);
+        marks[first + i] = KG_OA_FALLEN;
     }
 }
 
 /* Pushes the run that ends at level z1 back; returns its lowest level. */
-static int push_window(const kg_oa *oa, kg_oa_sheet *s, int x, int z1) {
+static int push_window(const kg_oa *oa, int x, int z1, int32_t *place, unsigned char *marks) {
     int z0, first, last;
     kg_oa_window_run(oa, x, z1, &z0, &z1, &first, &last);
     for (int row = first; row <= last; row++) {
-        size_t cell = kg_oa_cell(s, x, row);
-        s->place[cell] = kg_oa_pushed_place(kg_oa_depth(oa, x, z0), last - row);
-        s->marks[cell] = KG_OA_PUSHED;
+        place[row] = kg_oa_pushed_place(kg_oa_depth(oa, x, z0), last - row);
+        marks[row] = KG_OA_PUSHED;
     }
     return z0;
 }
 
-void kg_oa_lay_out(const kg_oa *oa, kg_oa_sheet *s) {
-    for (int x = 0; x < oa->width; x++) {
-        lay_path(oa, s, x);
-        for (int z = 1; z <= oa->height; z++)
-            if (kg_oa_omitted(oa, x, z))
-                drop_top(oa, s, x, z);
-        for (int z = oa->height - 1; z >= 0; z--)
-            if (kg_oa_window(oa, x, z))
-                z = push_window(oa, s, x, z);
-    }
+void kg_oa_lay_column(const kg_oa *oa, int x, int32_t *place, unsigned char *marks) {
+    lay_path(oa, x, place, marks);
+    for (int z = 1; z <= oa->height; z++)
+        if (kg_oa_omitted(oa, x, z))
+            drop_top(oa, x, z, place, marks);
+    for (int z = oa->height - 1; z >= 0; z--)
+        if (kg_oa_window(oa, x, z))
+            z = push_window(oa, x, z, place, marks);
 }
 
 /* The card with its margins as cells of its own. */
@@ -95,6 +88,24 @@ static kg_oa *with_margins(const kg_oa *oa) {
     return all;
 }
 
+/* Lays out every column. False when memory runs out. */
+static bool lay_columns(const kg_oa *oa, kg_oa_sheet *s) {
+    size_t rows = (size_t)s->rows;
+    int32_t *place = malloc(rows * sizeof *place);
+    unsigned char *marks = malloc(rows);
+    bool done = place && marks;
+    for (int x = 0; x < s->width && done; x++) {
+        kg_oa_lay_column(oa, x, place, marks);
+        for (int row = 0; row < s->rows; row++) {
+            s->place[kg_oa_cell(s, x, row)] = place[row];
+            s->marks[kg_oa_cell(s, x, row)] = marks[row];
+        }
+    }
+    free(place);
+    free(marks);
+    return done;
+}
+
 static kg_status lay_out(const kg_oa *all, bool diagonals, int margin, kg_oa_sheet **out,
                          kg_error *error) {
     kg_oa_sheet *s = calloc(1, sizeof *s);
@@ -108,13 +119,11 @@ static kg_status lay_out(const kg_oa *all, bool diagonals, int margin, kg_oa_she
     size_t cells = (size_t)s->width * (size_t)s->rows;
     s->place = calloc(cells, sizeof *s->place);
     s->marks = calloc(cells, 1);
-    kg_status status =
-        s->place && s->marks ? KG_OK : kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    if (!status) {
-        kg_oa_lay_out(all, s);
-        if (diagonals)
-            status = kg_oa_bend(all, s, error);
-    }
+    kg_status status = s->place && s->marks && lay_columns(all, s)
+                           ? KG_OK
+                           : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (!status && diagonals)
+        status = kg_oa_bend(all, s, error);
     if (status)
         kg_oa_sheet_destroy(s);
     else

@@ -45,9 +45,9 @@ static inline int32_t kg_oa_fallen_place(int depth, int z, int i) {
     return i < z ? kg_oa_place(depth, false) : kg_oa_place(depth + i - z, true);
 }
 
-/* Lays out a card without margins and pyramids: `place` and `marks` of the sheet, whose sizes are
- * set. */
-void kg_oa_lay_out(const kg_oa *oa, kg_oa_sheet *sheet);
+/* Lays out one column of a card, without regard to margins and pyramids: place and marks of its
+ * H + D cells from above. */
+void kg_oa_lay_column(const kg_oa *oa, int x, int32_t *place, unsigned char *marks);
 
 /* Finds the pyramids of a card without margins and bends the sheet's cells along them. */
 kg_status kg_oa_bend(const kg_oa *oa, kg_oa_sheet *sheet, kg_error *error) KG_CHECKED;

@@ -7,38 +7,54 @@ static bool asked_to_stop(const kg_progress *progress, double fraction, const ch
     return progress && progress->call && !progress->call(progress->user, fraction, what);
 }
 
-/* Tries the window at level z of column x, which is no window yet. `places` has room for a
- * column. */
-static kg_status try_window(kg_oa *oa, kg_oa_reach *reach, int x, int z, int32_t *places,
-                            kg_error *error) {
-    int z0, z1, first, last;
+/* Room for the search through a card's windows. */
+typedef struct search {
+    kg_oa_reach *reach;
+    int32_t *places; /* of a column */
+    int *tops;       /* per column: where the run of windows that holds the last one ends */
+} search;
+
+/* Tries the window at level z of column x, which is no window yet. */
+static kg_status try_window(kg_oa *oa, search *s, int x, int z, kg_error *error) {
     bool valid;
-    oa->window[x * oa->height + z] = 1;
-    kg_oa_window_run(oa, x, z, &z0, &z1, &first, &last);
-    for (int row = first; row <= last; row++)
-        places[row - first] = kg_oa_pushed_place(kg_oa_depth(oa, x, z0), last - row);
-    kg_status status = kg_oa_reach_try(reach, x, first, last, places, &valid, error);
-    if (status || !valid)
-        oa->window[x * oa->height + z] = 0;
+    int z0 = z, depth;
+    while (z0 > 0 && kg_oa_window(oa, x, z0 - 1))
+        z0--;
+    depth = kg_oa_depth(oa, x, z0);
+    int first = kg_oa_front_row(oa, x, s->tops[x]), last = kg_oa_front_row(oa, x, z0);
+    for (int k = 0; k <= last - first; k++)
+        s->places[last - first - k] = kg_oa_pushed_place(depth, k);
+    kg_status status = kg_oa_reach_try(s->reach, x, first, last, s->places, &valid, error);
+    oa->window[x * oa->height + z] = !status && valid;
+    return status;
+}
+
+static kg_status try_level(kg_oa *oa, search *s, const unsigned char *candidates, int z,
+                           kg_error *error) {
+    kg_status status = KG_OK;
+    for (int x = 0; x < oa->width && !status; x++) {
+        if (z + 1 == oa->height || !kg_oa_window(oa, x, z + 1))
+            s->tops[x] = z;
+        if (candidates[x * oa->height + z] && kg_oa_depth(oa, x, z) > 0 && !kg_oa_window(oa, x, z))
+            status = try_window(oa, s, x, z, error);
+    }
     return status;
 }
 
 kg_status kg_oa_open_windows(kg_oa *oa, const unsigned char *candidates,
                              const kg_progress *progress, kg_error *error) {
-    kg_oa_reach *reach = NULL;
-    int32_t *places = calloc((size_t)oa->height + (size_t)oa->depth_limit, sizeof *places);
-    kg_status status = places ? kg_oa_reach_create(oa, &reach, error)
-                              : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    search s = {.places = calloc((size_t)oa->height + (size_t)oa->depth_limit, sizeof *s.places),
+                .tops = calloc((size_t)oa->width, sizeof *s.tops)};
+    kg_status status = s.places && s.tops ? kg_oa_reach_create(oa, &s.reach, error)
+                                          : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     for (int z = oa->height - 1; z >= 0 && !status; z--) {
-        for (int x = 0; x < oa->width && !status; x++)
-            if (candidates[x * oa->height + z] && kg_oa_depth(oa, x, z) > 0 &&
-                !kg_oa_window(oa, x, z))
-                status = try_window(oa, reach, x, z, places, error);
+        status = try_level(oa, &s, candidates, z, error);
         if (!status && asked_to_stop(progress, 1 - (double)z / oa->height, "windows"))
             status = kg_fail(error, KG_ERR_CANCELLED, "cancelled");
     }
-    kg_oa_reach_destroy(reach);
-    free(places);
+    kg_oa_reach_destroy(s.reach);
+    free(s.places);
+    free(s.tops);
     return status;
 }
 
