@@ -97,14 +97,12 @@ static void turn_part(kg_net_view *v, const kg_event *event) {
 static void drop(kg_net_view *v, kg_editor *e) {
     const kg_net *net = kg_net_state_picture(v->state)->net.net;
     const kg_net_part *part = &net->parts[v->moved_part];
-    kg_error error;
     json_t *arguments = json_pack(
         "{s:I, s:I, s:i, s:f, s:f, s:f}", "patch", (json_int_t)part->source, "piece",
         (json_int_t)kg_pin_piece(net, (size_t)v->moved_part), "page", v->moved.page, "x",
         v->moved.offset.x, "y", v->moved.offset.y, "angle_deg", v->moved.angle * 180 / KG_PI);
-    if (!arguments || kg_command_run(kg_command_find("net.pin"), e, arguments, &error))
-        v->moved_part = -1; /* what went wrong has been shown */
-    json_decref(arguments);
+    if (!kg_command_do_with(e, "net.pin", arguments))
+        v->moved_part = -1;
 }
 
 static void give_up(kg_net_view *v) {

@@ -115,6 +115,15 @@ void kg_command_do(kg_editor *e, const char *id) {
         return; /* it has been shown */
 }
 
+bool kg_command_do_with(kg_editor *e, const char *id, json_t *arguments) {
+    kg_error error;
+    bool done = arguments && !kg_command_run(kg_command_find(id), e, arguments, &error);
+    if (!arguments)
+        kg_editor_say(e, KG_FAULT, "%s", _("Out of memory."));
+    json_decref(arguments);
+    return done;
+}
+
 bool kg_has_selection(const kg_editor *e) {
     return e->selection.patches.count > 0;
 }

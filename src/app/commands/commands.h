@@ -46,6 +46,9 @@ kg_status kg_command_run(const kg_app_command *command, kg_editor *editor, const
                          kg_error *error) KG_CHECKED;
 /* By hand, when it is enabled; what goes wrong is shown. */
 void kg_command_do(kg_editor *editor, const char *id);
+/* With arguments, which it takes over (NULL: memory ran out); what goes wrong is shown. Whether it
+ * was done. */
+bool kg_command_do_with(kg_editor *editor, const char *id, json_t *arguments);
 
 /* Tables, one per file. */
 typedef struct kg_command_table {

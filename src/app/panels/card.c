@@ -17,13 +17,6 @@ enum { FIELD = 110, BANNER = 34, STRIP_WIDTH = 420, STRIP_HEIGHT = 36 };
 
 static const kg_color white = {1, 1, 1, 1};
 
-static void run(kg_editor *e, const char *id, json_t *arguments) {
-    kg_error error;
-    if (!arguments || kg_command_run(kg_command_find(id), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", arguments ? error.message : _("Out of memory."));
-    json_decref(arguments);
-}
-
 /* ---- does it work? ---------------------------------------------------------------------- */
 
 static void show_banner(const kg_editor *e) {
@@ -85,7 +78,7 @@ static void show_opening(kg_editor *e) {
         char label[16];
         snprintf(label, sizeof label, "%.0f°", stops[i]);
         if (kg_ui_small_button(label))
-            run(e, "card.open", json_pack("{s:f}", "degrees", stops[i]));
+            kg_command_do_with(e, "card.open", json_pack("{s:f}", "degrees", stops[i]));
         kg_ui_same_line();
     }
     show_play(e);
@@ -129,8 +122,8 @@ static void show_face(kg_editor *e, const char *label, bool top) {
     bool on = there && kg_card_face_is_set(e, (kg_face){top, c.x, c.z + top});
     kg_ui_disabled_begin(!there);
     if (kg_ui_check(label, &on))
-        run(e, top ? "card.top" : "card.window",
-            json_pack("{s:i,s:i,s:b}", "x", c.x, "z", c.z + top, "on", on));
+        kg_command_do_with(e, top ? "card.top" : "card.window",
+                           json_pack("{s:i,s:i,s:b}", "x", c.x, "z", c.z + top, "on", on));
     kg_ui_disabled_end();
 }
 
@@ -253,7 +246,7 @@ static void show_sheet(kg_editor *e) {
     kg_ui_text_dim(text);
     bool diagonals = oa->diagonals;
     if (kg_ui_check(_("45° folds"), &diagonals))
-        run(e, "card.diagonals", json_pack("{s:b}", "on", diagonals));
+        kg_command_do_with(e, "card.diagonals", json_pack("{s:b}", "on", diagonals));
 }
 
 /* ---- counts ----------------------------------------------------------------------------- */

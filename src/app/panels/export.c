@@ -60,11 +60,7 @@ static const format *find_format(const kg_editor *e, const char *name) {
 /* ---- choosing --------------------------------------------------------------------------- */
 
 static void set(kg_editor *e, const char *key, const char *word) {
-    json_t *arguments = json_pack("{s:s}", key, word);
-    kg_error error;
-    if (arguments && kg_command_run(kg_command_find("net.set"), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", error.message);
-    json_decref(arguments);
+    kg_command_do_with(e, "net.set", json_pack("{s:s}", key, word));
 }
 
 static void net_options(kg_editor *e) {

@@ -22,13 +22,6 @@ static const char *part_name(const kg_net_part *part, char out[], size_t size) {
     return out;
 }
 
-static void run(kg_editor *e, const char *id, json_t *arguments) {
-    kg_error error;
-    if (arguments && kg_command_run(kg_command_find(id), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", error.message);
-    json_decref(arguments);
-}
-
 /* ---- header ----------------------------------------------------------------------------- */
 
 /* While parts are being placed, over the pages. */
@@ -166,22 +159,22 @@ static void part_menu(kg_app *app, size_t index) {
     if (kg_ui_menu_item(_("Select its patch"), "", false, true))
         kg_editor_select(e, part->source, false);
     if (kg_ui_menu_item(_("Turn by 90°"), "", false, has_pages))
-        run(e, "net.pin", pin_of(v, index, KG_PI / 2));
+        kg_command_do_with(e, "net.pin", pin_of(v, index, KG_PI / 2));
     if (kg_ui_menu_item(_("Pin to this place"), "", part->pinned, has_pages)) {
         if (part->pinned)
-            run(e, "net.unpin",
-                json_pack("{s:I, s:I}", "patch", (json_int_t)part->source, "piece",
-                          (json_int_t)kg_pin_piece(p->net.net, index)));
+            kg_command_do_with(e, "net.unpin",
+                               json_pack("{s:I, s:I}", "patch", (json_int_t)part->source, "piece",
+                                         (json_int_t)kg_pin_piece(p->net.net, index)));
         else
-            run(e, "net.pin", pin_of(v, index, 0));
+            kg_command_do_with(e, "net.pin", pin_of(v, index, 0));
     }
     kg_ui_tooltip(_("Pinned parts stay where they are; the others are placed around them."));
 }
 
 static void set_join(kg_editor *e, const kg_net_join *join, const char *key, json_t *value) {
-    run(e, "net.join",
-        json_pack("{s:[I,I], s:o}", "patches", (json_int_t)join->sources[0],
-                  (json_int_t)join->sources[1], key, value));
+    kg_command_do_with(e, "net.join",
+                       json_pack("{s:[I,I], s:o}", "patches", (json_int_t)join->sources[0],
+                                 (json_int_t)join->sources[1], key, value));
 }
 
 static void patch_label(const kg_editor *e, int64_t id, char *out, size_t size) {

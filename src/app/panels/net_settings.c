@@ -10,11 +10,7 @@
 enum { FIELD_WIDTH = 150 };
 
 static void set(kg_editor *e, const char *key, json_t *value) {
-    json_t *arguments = json_pack("{s:o}", key, value);
-    kg_error error;
-    if (arguments && kg_command_run(kg_command_find("net.set"), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", error.message);
-    json_decref(arguments);
+    kg_command_do_with(e, "net.set", json_pack("{s:o}", key, value));
 }
 
 static void show_paper(kg_editor *e, const kg_net_settings *net) {

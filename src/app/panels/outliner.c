@@ -16,11 +16,7 @@ static void label_of(const kg_model_patch *p, char *out, size_t size) {
 
 /* Runs a command on one patch, whatever is selected. */
 static void run_on(kg_editor *e, const char *id, int64_t patch) {
-    json_t *arguments = json_pack("{s:I}", "patch", (json_int_t)patch);
-    kg_error error;
-    if (arguments && kg_command_run(kg_command_find(id), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", error.message);
-    json_decref(arguments);
+    kg_command_do_with(e, id, json_pack("{s:I}", "patch", (json_int_t)patch));
 }
 
 static void set_color(kg_editor *e, int64_t patch, kg_color color) {

@@ -236,13 +236,9 @@ static void show_rename(kg_app *app) {
     if (done || cancel)
         kg_ui_popup_close();
     kg_ui_popup_end();
-    if (done && !cancel && p) {
-        kg_error error;
-        json_t *arguments = json_pack("{s:I,s:s}", "patch", (json_int_t)id, "name", d->name);
-        if (!arguments || kg_command_run(kg_command_find("patch.rename"), e, arguments, &error))
-            kg_editor_say(e, KG_FAULT, "%s", _("The name could not be changed."));
-        json_decref(arguments);
-    }
+    if (done && !cancel && p)
+        kg_command_do_with(e, "patch.rename",
+                           json_pack("{s:I,s:s}", "patch", (json_int_t)id, "name", d->name));
 }
 
 static void show_recovery(kg_app *app) {

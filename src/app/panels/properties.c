@@ -39,15 +39,6 @@ static void number(kg_editor *e, const char *label, double *value, double speed,
     end_field(e, result);
 }
 
-/* A command on this patch. It may put back a copy of the model, so nothing of the patch may be used
- * afterwards. */
-static void run(kg_editor *e, const char *id, json_t *arguments) {
-    kg_error error;
-    if (arguments && kg_command_run(kg_command_find(id), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", error.message);
-    json_decref(arguments);
-}
-
 /* ---- a patch ---------------------------------------------------------------------------- */
 
 static void show_points(kg_editor *e, kg_model_patch *p) {
@@ -163,7 +154,7 @@ static void show_trim(kg_editor *e, const kg_model_patch *p, size_t index) {
     kg_ui_tooltip(_("Remove this trim"));
     kg_ui_id_pop();
     if (change)
-        run(e, command, change);
+        kg_command_do_with(e, command, change);
 }
 
 static void show_trims(kg_editor *e, int64_t id) {
@@ -251,7 +242,7 @@ static void show_issues(kg_editor *e, int64_t patch) {
     /* run at the end: it solves anew */
     const char *command = bad_rulings ? show_mends(e, patch) : NULL;
     if (command)
-        run(e, command, json_pack("{s:I}", "patch", (json_int_t)patch));
+        kg_command_do_with(e, command, json_pack("{s:I}", "patch", (json_int_t)patch));
 }
 
 static void show_patch(kg_app *app, int64_t id) {
@@ -290,7 +281,7 @@ static void show_reference(kg_editor *e) {
     end_field(e, result);
     bool up_y = ref->up_y;
     if (kg_ui_check(_("y points up in the mesh"), &up_y))
-        run(e, "reference.set", json_pack("{s:s}", "up", up_y ? "y" : "z"));
+        kg_command_do_with(e, "reference.set", json_pack("{s:s}", "up", up_y ? "y" : "z"));
     kg_ui_width(150);
     result = kg_ui_number(_("longest side"), &size, 1, 0, 1e5, "%.1f mm");
     kg_ui_tooltip(_("0: as large as the mesh is in its file"));

@@ -7,13 +7,6 @@
 
 #include <stdio.h>
 
-static void run(kg_editor *e, const char *id, json_t *arguments) {
-    kg_error error;
-    if (arguments && kg_command_run(kg_command_find(id), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", error.message);
-    json_decref(arguments);
-}
-
 /* ---- rows -------------------------------------------------------------------------------- */
 
 static kg_color from_rgb(uint32_t rgb) {
@@ -82,7 +75,7 @@ static void row(kg_editor *e, size_t sheet) {
     kg_ui_disabled_end();
     kg_ui_id_pop();
     if (command)
-        run(e, command, json_pack("{s:I}", "sheet", (json_int_t)sheet + 1));
+        kg_command_do_with(e, command, json_pack("{s:I}", "sheet", (json_int_t)sheet + 1));
 }
 
 /* ---- where the selected one lies --------------------------------------------------------- */
@@ -144,9 +137,9 @@ static void fields(kg_sheet_size *size) {
 static void add_sheet(kg_editor *e, const kg_sheet_size *size) {
     static const char *const names[KG_SHEET_SHAPE_COUNT] = {"square", "rectangle", "a4", "triangle",
                                                             "polygon"};
-    run(e, "sheet.add",
-        json_pack("{s:s, s:f, s:f, s:i}", "shape", names[size->shape], "width", size->width,
-                  "height", size->height, "sides", size->sides));
+    kg_command_do_with(e, "sheet.add",
+                       json_pack("{s:s, s:f, s:f, s:i}", "shape", names[size->shape], "width",
+                                 size->width, "height", size->height, "sides", size->sides));
 }
 
 static void add_popup(kg_editor *e) {

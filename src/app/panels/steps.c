@@ -9,13 +9,6 @@
 /* Layout units. */
 enum { ROW_HEIGHT = 58, THUMB_WIDTH = 72, THUMB_HEIGHT = 54, DETAILS_HEIGHT = 66 };
 
-static void run(kg_editor *e, const char *id, json_t *arguments) {
-    kg_error error;
-    if (arguments && kg_command_run(kg_command_find(id), e, arguments, &error))
-        kg_editor_say(e, KG_FAULT, "%s", error.message);
-    json_decref(arguments);
-}
-
 /* ---- rows -------------------------------------------------------------------------------- */
 
 static void title_of(const kg_sheets *s, size_t step, char *out, size_t size) {
@@ -103,7 +96,8 @@ static void number(kg_editor *e, size_t fold, const field *f, double is) {
         s->wish = value;
     }
     if (result & KG_FIELD_ENDED)
-        run(e, "fold.set",
+        kg_command_do_with(
+            e, "fold.set",
             json_pack("{s:I, s:o}", "step", (json_int_t)fold, f->key,
                       f->whole ? json_integer((json_int_t)value) : json_real(value)));
     if (result & (KG_FIELD_ENDED | KG_FIELD_LEFT))

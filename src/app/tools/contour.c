@@ -30,17 +30,15 @@ static bool aim(const kg_editor *e, const state *s, kg_vec2 px, kg_vec2 *out) {
 
 static void finish(kg_editor *e, bool outside) {
     state *s = e->tool_state;
-    json_t *corners = json_array(), *arguments;
-    kg_error error;
+    json_t *corners = json_array();
     for (size_t i = 0; i < s->corners.count; i++)
         json_array_append_new(corners,
                               json_pack("[ff]", s->corners.items[i].x, s->corners.items[i].y));
-    arguments = json_pack("{s:I,s:o,s:s}", "patch", (json_int_t)s->patch, "contour", corners,
-                          "keep", outside ? "outside" : "inside");
     /* a contour that cannot be stays to be mended */
-    if (arguments && !kg_command_run(kg_command_find("trim.contour"), e, arguments, &error))
+    if (kg_command_do_with(e, "trim.contour",
+                           json_pack("{s:I,s:o,s:s}", "patch", (json_int_t)s->patch, "contour",
+                                     corners, "keep", outside ? "outside" : "inside")))
         kg_editor_use_default(e);
-    json_decref(arguments);
 }
 
 static bool on_key(kg_editor *e, state *s, const kg_event *event) {
