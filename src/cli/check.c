@@ -74,8 +74,8 @@ static kg_status print_json(const findings *f, kg_error *error) {
 }
 
 static void print_text(const findings *f, const char *name) {
-    size_t count = kg_document_issue_count(f->document);
-    for (size_t i = 0; i < kg_document_issue_count(f->document); i++) {
+    size_t issues = kg_document_issue_count(f->document), count = issues;
+    for (size_t i = 0; i < issues; i++) {
         const kg_issue *issue = kg_document_issue(f->document, i);
         printf("%s: %s: ", name, issue->severity == KG_FAULT ? "error" : "warning");
         if (issue->patch > 0)

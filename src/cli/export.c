@@ -1,4 +1,4 @@
-/* katagami export: the model's surface as a mesh file. */
+/* katagami export: the model's surface as a mesh file, or its crease pattern. */
 #include "base/color.h"
 #include "cli/card.h"
 #include "cli/commands.h"
@@ -8,7 +8,7 @@
 
 static const kg_option options[] = {
     {"output", 'o', true, "FILE",
-     "mesh to write: .obj .ply .stl .off .gltf .glb, or .fold; required"},
+     "mesh to write: .obj .ply .stl .off .gltf .glb; or .fold, of sheets also .cp; required"},
     {"open", 0, true, "DEG", "how far a card is open: 0 closed, 90 standing, 180 flat (90)"},
     {"step", 0, true, "N", "sheets after so many folds (all of them)"},
     {"tolerance", 0, true, "MM", "greatest chord error of the mesh (0.02)"},

@@ -16,11 +16,11 @@ static int run_version(int argc, char **argv);
 
 static const kg_command commands[] = {
     {"edit", "the desktop app; also: katagami MODEL, or katagami alone", kg_command_edit},
-    {"new", "an empty patch model over a reference mesh", kg_command_new},
+    {"new", "an empty patch model over a reference mesh, a card, or a sheet", kg_command_new},
     {"info", "what is in a model, measured", kg_command_info},
     {"check", "everything in a model that would not work on paper", kg_command_check},
     {"net", "the pages to cut: SVG, PDF or DXF", kg_command_net},
-    {"export", "the surface as a mesh: OBJ, PLY, STL, OFF, glTF or GLB", kg_command_export},
+    {"export", "the surface as a mesh, or the crease pattern as FOLD or .cp", kg_command_export},
     {"render", "a picture as PNG", kg_command_render},
     {"apply", "the app's own edits, from a file", kg_command_apply},
     {"oa", "a pop-up card of a mesh", kg_command_oa},

@@ -51,8 +51,11 @@ static int read_options(const kg_arguments *a, kg_document *document, kg_net_opt
                         double *tab_width) {
     kg_error error;
     const char *text;
-    if (kg_document_net_options(document, out, tab_width, &error))
+    kg_status status = kg_document_net_options(document, out, tab_width, &error);
+    if (status) {
+        kg_fail_in(&error, status, "%s: ", a->words[0]);
         return kg_command_fail("net", &error);
+    }
     if ((text = kg_arguments_get(a, "preset"))) {
         kg_net_preset preset;
         if (kg_net_preset_parse(text, &preset, &error))
@@ -247,9 +250,11 @@ int kg_command_net(int argc, char **argv) {
     if (kg_document_read(a.words[0], &document, &error))
         return kg_command_fail("net", &error);
     code = read_options(&a, document, &settings, &tab_width);
-    kg_parts_options parts = parts_options(&a, document, &settings, tab_width);
-    if (code < 0 && write_net(document, &settings, &parts, &out, &error))
-        code = kg_command_fail("net", &error);
+    if (code < 0) {
+        kg_parts_options parts = parts_options(&a, document, &settings, tab_width);
+        if (write_net(document, &settings, &parts, &out, &error))
+            code = kg_command_fail("net", &error);
+    }
     kg_document_destroy(document);
     return code < 0 ? KG_EXIT_DONE : code;
 }

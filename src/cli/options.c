@@ -84,11 +84,10 @@ bool kg_arguments_number(const kg_arguments *arguments, const char *name, double
         return true;
     char *end;
     double x = strtod(text, &end);
-    if (end == text || *end != '\0' || !(x >= lo && x <= hi)) {
-        fprintf(stderr, "katagami %s: --%s wants a number from %g to %g, not \"%s\"\n",
-                arguments->command, name, lo, hi, text);
-        return false;
-    }
+    if (end == text || *end != '\0' || !(x >= lo && x <= hi))
+        return kg_command_misuse(arguments->command,
+                                 "--%s wants a number from %g to %g, not \"%s\"", name, lo, hi,
+                                 text) == KG_EXIT_DONE;
     *out = x;
     return true;
 }

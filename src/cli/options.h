@@ -4,8 +4,7 @@
 
 #include "cli/command.h"
 
-/* An option of a command. The value's words go to `handle`, which says what is wrong with them by
- * returning a message that is static, or NULL. */
+/* An option of a command. */
 typedef struct kg_option {
     const char *name; /* without the two dashes */
     char letter;      /* short form, 0: none */
@@ -27,13 +26,13 @@ typedef struct kg_arguments {
 
 /* Sorts a command line. Returns -1 to go on, else the exit code (help was printed, or misuse). */
 int kg_arguments_parse(int argc, char **argv, const char *usage, const kg_option *options,
-                       size_t option_count, kg_arguments *out);
+                       size_t option_count, kg_arguments *out) KG_CHECKED;
 
 /* The last value given for an option; "" for one without value; NULL when it was not given. */
 const char *kg_arguments_get(const kg_arguments *arguments, const char *name);
 
 /* A number. False, with a message on stderr, when the text is none or not within [lo, hi]. */
 bool kg_arguments_number(const kg_arguments *arguments, const char *name, double lo, double hi,
-                         double *out);
+                         double *out) KG_CHECKED;
 
 #endif

@@ -181,6 +181,20 @@ def test_what_cannot_be_read_is_named_by_every_command():
             assert "bad.katagami:2" in refuse(1, words[0], "bad.katagami", *words[1:])
 
 
+def test_net_settings_that_cannot_be_followed_are_named_with_their_file():
+    with folder({**ground_and_wall(), "net": {"paper": "A9"}}):
+        message = refuse(1, "net", "m.katagami", "-o", "n.svg")
+        assert "m.katagami: paper 'A9' is unknown" in message, message
+        assert not os.path.exists("n.svg")
+
+
+def test_numbers_out_of_range_are_told_where_help_is():
+    with folder():
+        message = refuse(2, "net", "m.katagami", "-o", "n.svg", "--margin", "-1")
+        assert "--margin wants a number from 0 to 10000" in message, message
+        assert "katagami help net" in message, message
+
+
 def test_a_faulty_model_is_no_net():
     with folder(ground_and_wall(trims=[{"by": [3], "keep": [[50, 0, 20]]},
                                        {"contour": [[0, 0], [9, 1], [9, 0], [0, 1]]}])):
