@@ -86,7 +86,8 @@ KG_API void kg_guide_order_destroy(kg_guide_order *order);
  * pictures of it on its way. Pages have the net's paper where it can be held in a hand (up to
  * letter, legal and A4), else A4. Starts OpenGL off-screen, but for sheets.
  *   net      from kg_document_unroll of the same document
- *   layout   of that net: the pages on which parts are found, the written scale
+ *   layout   of that net: the pages on which parts are found, the written scale; NULL, for sheets
+ *            only: none is needed, as where they are larger than the paper
  *   options  the net was laid out with: what its lines look like
  * Errors: KG_ERR_SYSTEM (no off-screen OpenGL, no font), KG_ERR_CANCELLED, KG_ERR_IO,
  * KG_ERR_MEMORY.

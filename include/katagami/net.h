@@ -223,6 +223,10 @@ KG_API kg_status kg_net_preset_parse(const char *text, kg_net_preset *out_preset
 /* "A4", "A3", "A2", "letter", "legal" (any case), "none" or "WxH" in mm. Errors: KG_ERR_INPUT. */
 KG_API kg_status kg_net_paper_parse(const char *text, kg_vec2 *out_paper,
                                     kg_error *error) KG_CHECKED;
+/* The name of the smallest of A4, A3 and A2 that holds `size` within its margins (mm), upright or
+ * across; NULL, and nothing is set: none does. */
+KG_API const char *kg_net_paper_for(kg_vec2 size, double margin, kg_vec2 *out_paper,
+                                    bool *out_across);
 
 /* ---- settings --------------------------------------------------------------------------- */
 
@@ -230,7 +234,7 @@ struct json_t;
 
 /* What a model file of any kind says of its net. */
 typedef struct kg_net_settings {
-    char *paper;         /* as kg_net_paper_parse takes it; NULL: A4 */
+    char *paper;         /* as kg_net_paper_parse takes it; NULL: A4, of sheets what holds them */
     double margin;       /* mm, usually 8 */
     double scale;        /* usually 1 */
     double tab_width;    /* mm, usually 5; 0: without tabs */

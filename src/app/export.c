@@ -32,7 +32,7 @@ kg_status kg_export_guide(kg_document *document, const char *path, const kg_prog
     status = kg_document_solve(document, kg_document_net_chord(&options), error);
     if (!status)
         status = kg_document_unroll_to_fit(document, &parts, &net, error);
-    if (!status)
+    if (!status && kg_document_get_kind(document) != KG_DOCUMENT_ORIGAMI)
         status = kg_net_layout_create(net.net, &options, progress, &layout, error);
     if (!status)
         status = kg_guide_write(document, &net, layout, &options, path, progress, error);

@@ -18,6 +18,24 @@ kg_net_settings *kg_document_net_settings(kg_document *d) {
                      : kg_origami_net_settings(d->folded->origami);
 }
 
+/* Sheets bring their own size: paper that holds each of them flat. Larger ones stay on A4, where
+ * they are refused with what would help. */
+static void hold_sheets(const kg_origami *o, kg_net_options *options) {
+    const kg_origami_state *s = kg_origami_state_at(o, 0);
+    kg_vec2 most = {0, 0};
+    bool across;
+    for (int32_t sheet = 0, any = 1; any; sheet++) {
+        kg_box2 box = kg_box2_empty();
+        any = 0;
+        for (size_t i = 0; i < s->vertices.count; i++)
+            if (s->vertices.items[i].sheet == sheet)
+                kg_box2_add(&box, s->vertices.items[i].paper), any = 1;
+        kg_vec2 span = any ? kg_scale2(kg_sub2(box.hi, box.lo), options->scale) : kg_v2(0, 0);
+        most = kg_v2(fmax(most.x, fmin(span.x, span.y)), fmax(most.y, fmax(span.x, span.y)));
+    }
+    kg_net_paper_for(most, options->margin, &options->paper, &across);
+}
+
 kg_status kg_document_net_options(kg_document *d, kg_net_options *out_options,
                                   double *out_tab_width, kg_error *error) {
     const kg_net_settings *settings = kg_document_net_settings(d);
@@ -26,6 +44,8 @@ kg_status kg_document_net_options(kg_document *d, kg_net_options *out_options,
         return status;
     if (!d->model && !json_object_get(settings->json, "labels"))
         out_options->labels = KG_LABELS_NONE;
+    if (d->folded && !settings->paper && out_options->paper.x > 0)
+        hold_sheets(d->folded->origami, out_options);
     *out_tab_width = d->model ? settings->tab_width : 0;
     return KG_OK;
 }

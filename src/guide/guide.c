@@ -63,9 +63,9 @@ kg_status kg_guide_tick(const kg_guide *guide, double fraction, kg_error *error)
                : kg_fail(error, KG_ERR_CANCELLED, "cancelled");
 }
 
-static kg_vec2 paper_size(const kg_net_layout *layout) {
-    double width = fmin(layout->page_size.x, layout->page_size.y);
-    double height = fmax(layout->page_size.x, layout->page_size.y);
+static kg_vec2 paper_size(const kg_guide *guide) {
+    kg_vec2 size = guide->layout ? guide->layout->page_size : guide->options->paper;
+    double width = fmin(size.x, size.y), height = fmax(size.x, size.y);
     bool handy = width >= LEAST_WIDTH && width <= HANDY_WIDTH && height >= LEAST_HEIGHT &&
                  height <= HANDY_HEIGHT;
     return handy ? kg_v2(width, height) : kg_v2(210, 297);
@@ -89,7 +89,7 @@ static kg_status open_paper(kg_guide *guide, kg_word footing, const char *titled
     char title[KG_SENTENCE], footer[KG_SENTENCE];
     kg_words(title, sizeof title, KG_WORD_UNTITLED);
     kg_words(footer, sizeof footer, footing, titled && titled[0] ? titled : title);
-    return kg_book_create(paper_size(guide->layout), footer, footer, &guide->paper, error);
+    return kg_book_create(paper_size(guide), footer, footer, &guide->paper, error);
 }
 
 static kg_status write_assembly(kg_guide *guide, const kg_document *document,

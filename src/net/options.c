@@ -70,12 +70,18 @@ static double decimal(const char **text) {
     return digits > 0 ? value : -1;
 }
 
+typedef struct paper {
+    const char *name;
+    kg_vec2 size;
+} paper;
+
+/* Those from A4 up come first. */
+static const paper papers[] = {{"A4", {210, 297}},         {"A3", {297, 420}},
+                               {"A2", {420, 594}},         {"none", {0, 0}},
+                               {"letter", {215.9, 279.4}}, {"legal", {215.9, 355.6}}};
+enum { SERIES_COUNT = 3 };
+
 kg_status kg_net_paper_parse(const char *text, kg_vec2 *out_paper, kg_error *error) {
-    static const struct {
-        const char *name;
-        kg_vec2 size;
-    } papers[] = {{"A4", {210, 297}}, {"A3", {297, 420}},         {"A2", {420, 594}},
-                  {"none", {0, 0}},   {"letter", {215.9, 279.4}}, {"legal", {215.9, 355.6}}};
     for (size_t i = 0; i < sizeof papers / sizeof *papers; i++) {
         if (strcasecmp(text, papers[i].name) == 0) {
             *out_paper = papers[i].size;
@@ -95,4 +101,17 @@ kg_status kg_net_paper_parse(const char *text, kg_vec2 *out_paper, kg_error *err
                        text);
     *out_paper = kg_v2(width, height);
     return KG_OK;
+}
+
+const char *kg_net_paper_for(kg_vec2 size, double margin, kg_vec2 *out_paper, bool *out_across) {
+    for (size_t i = 0; i < SERIES_COUNT; i++) {
+        kg_vec2 room = kg_v2(papers[i].size.x - 2 * margin, papers[i].size.y - 2 * margin);
+        bool upright = size.x <= room.x && size.y <= room.y;
+        if (upright || (size.x <= room.y && size.y <= room.x)) {
+            *out_paper = papers[i].size;
+            *out_across = !upright;
+            return papers[i].name;
+        }
+    }
+    return NULL;
 }

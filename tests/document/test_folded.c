@@ -3,6 +3,7 @@
 #include "tests/check.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 static kg_document *read(const char *name) {
     char path[512];
@@ -90,9 +91,35 @@ static void test_a_fold_under_way_begins_and_ends_at_the_states(void **user) {
     kg_document_destroy(d);
 }
 
+static kg_vec2 paper_of(kg_vec2 sheet, double scale, const char *named) {
+    kg_document *d;
+    kg_net_options options;
+    double tab_width;
+    assert_int_equal(kg_document_new_sheet(sheet, 0, 0, &d, NULL), KG_OK);
+    kg_document_net_settings(d)->scale = scale;
+    kg_document_net_settings(d)->paper = named ? strdup(named) : NULL;
+    assert_int_equal(kg_document_net_options(d, &options, &tab_width, NULL), KG_OK);
+    kg_document_destroy(d);
+    return options.paper;
+}
+
+static void test_the_net_of_a_sheet_is_on_paper_that_holds_it(void **user) {
+    (void)user;
+    assert_near(paper_of(kg_v2(150, 150), 1, NULL).x, 210, 0);
+    assert_near(paper_of(kg_v2(194, 281), 1, NULL).x, 210, 0);
+    assert_near(paper_of(kg_v2(281, 194), 1, NULL).x, 210, 0); /* across */
+    assert_near(paper_of(kg_v2(210, 297), 1, NULL).x, 297, 0);
+    assert_near(paper_of(kg_v2(210, 297), 0.9, NULL).x, 210, 0);
+    assert_near(paper_of(kg_v2(400, 400), 1, NULL).x, 420, 0);
+    assert_near(paper_of(kg_v2(5000, 400), 1, NULL).x, 210, 0); /* none does: refused there */
+    assert_near(paper_of(kg_v2(210, 297), 1, "A4").x, 210, 0);
+    assert_near(paper_of(kg_v2(210, 297), 1, "none").x, 0, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_motion_ends_at_the_pose_and_bends_no_face),
+        cmocka_unit_test(test_the_net_of_a_sheet_is_on_paper_that_holds_it),
         cmocka_unit_test(test_a_fold_under_way_begins_and_ends_at_the_states),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

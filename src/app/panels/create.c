@@ -34,28 +34,6 @@ kg_creation kg_creation_default(void) {
 
 /* ---- the sketch: the sheet on the paper it fits ------------------------------------------- */
 
-typedef struct paper {
-    const char *name;
-    double width, height; /* mm */
-} paper;
-
-/* The smallest paper that holds it within its margins, upright or across; NULL: none does. */
-static const paper *paper_for(kg_vec2 size, bool *out_across) {
-    static const paper papers[] = {{"A4", 210, 297}, {"A3", 297, 420}, {"A2", 420, 594}};
-    for (size_t i = 0; i < sizeof papers / sizeof *papers; i++) {
-        double w = papers[i].width - 2 * MARGIN, h = papers[i].height - 2 * MARGIN;
-        if (size.x <= w && size.y <= h) {
-            *out_across = false;
-            return &papers[i];
-        }
-        if (size.x <= h && size.y <= w) {
-            *out_across = true;
-            return &papers[i];
-        }
-    }
-    return NULL;
-}
-
 /* A rectangle of `size` in the middle of an area, `k` pixels a millimetre. */
 static kg_area centred(const kg_area *a, kg_vec2 size, double k) {
     return (kg_area){a->x + (a->width - k * size.x) / 2, a->y + (a->height - k * size.y) / 2,
@@ -66,14 +44,15 @@ static kg_area centred(const kg_area *a, kg_vec2 size, double k) {
 static void sketch(kg_vec2 size, double fold, kg_color color) {
     kg_color ink = kg_ui_text_ink(), faint = ink;
     bool across = false;
-    const paper *p = paper_for(size, &across);
-    kg_vec2 page = !p ? size : across ? kg_v2(p->height, p->width) : kg_v2(p->width, p->height);
+    kg_vec2 page = size;
+    bool holds = kg_net_paper_for(size, MARGIN, &page, &across) != NULL;
+    page = across ? kg_v2(page.y, page.x) : page;
     kg_area area = kg_ui_canvas_area("##sketch", SKETCH_WIDTH, SKETCH_HEIGHT);
     double k = 0.94 * fmin(area.width / page.x, area.height / page.y);
     kg_area sheet = centred(&area, size, k), outer = centred(&area, page, k);
     faint.a *= 0.4F;
     kg_ui_canvas(KG_CANVAS_WINDOW);
-    if (p)
+    if (holds)
         kg_ui_canvas_frame(outer, faint, 1, 0);
     kg_ui_canvas_rect(sheet, color, 0);
     kg_ui_canvas_frame(sheet, ink, 1, 0);
@@ -89,12 +68,13 @@ static void sketch(kg_vec2 size, double fold, kg_color color) {
 static void tell_fit(kg_vec2 size) {
     char text[128];
     bool across;
-    const paper *p = paper_for(size, &across);
+    kg_vec2 page;
+    const char *paper = kg_net_paper_for(size, MARGIN, &page, &across);
     snprintf(text, sizeof text, _("Sheet: %.4g × %.4g mm"), size.x, size.y);
     kg_ui_text(text);
-    if (p)
+    if (paper)
         snprintf(text, sizeof text, across ? _("The net fits %s, landscape") : _("The net fits %s"),
-                 p->name);
+                 paper);
     else
         snprintf(text, sizeof text, "%s", _("The net is larger than A2: print it at a scale"));
     kg_ui_text_wrapped(text);

@@ -13,15 +13,19 @@ static void set(kg_editor *e, const char *key, json_t *value) {
     kg_command_do_with(e, "net.set", json_pack("{s:o}", key, value));
 }
 
-static void show_paper(kg_editor *e, const kg_net_settings *net) {
+/* `size`: of the paper in use, whether the model names it or not. */
+static void show_paper(kg_editor *e, const kg_net_settings *net, kg_vec2 size) {
     static const char *const sizes[] = {"A4", "A3", "A2", "letter", "legal", "none"};
     enum { SIZE_COUNT = sizeof sizes / sizeof *sizes };
     const char *const names[] = {
         "A4", "A3", "A2", _("letter"), _("legal"), _("no paper"), net->paper ? net->paper : ""};
     int index = net->paper ? SIZE_COUNT : 0;
-    for (int i = 0; net->paper && i < SIZE_COUNT; i++)
-        if (strcmp(net->paper, sizes[i]) == 0)
+    for (int i = 0; i < SIZE_COUNT; i++) {
+        kg_vec2 own;
+        if (net->paper ? strcmp(net->paper, sizes[i]) == 0
+                       : !kg_net_paper_parse(sizes[i], &own, NULL) && kg_dist2(own, size) < 1e-6)
             index = i;
+    }
     kg_ui_width(FIELD_WIDTH);
     if (kg_ui_choice(_("paper"), names, index == SIZE_COUNT ? SIZE_COUNT + 1 : SIZE_COUNT, &index))
         set(e, "paper", json_string(sizes[index]));
@@ -78,7 +82,7 @@ void kg_panel_net_settings(kg_app *app) {
         kg_ui_text_wrapped(error.message);
     const char *const labels[] = {_("none"), _("inside the parts"), _("outside the parts")};
     const char *const presets[] = {_("print"), _("laser cutter"), "Silhouette", "Cricut"};
-    show_paper(e, kg_document_net_settings(e->document));
+    show_paper(e, kg_document_net_settings(e->document), o.paper);
     check(e, _("landscape"), "landscape", o.landscape, "");
     /* asked for anew each time: a change may have moved them */
     number(e, _("margin"), &kg_document_net_settings(e->document)->margin, 0.2, 0, 100, "%.1f mm");
