@@ -269,6 +269,12 @@ enum { KG_OA_MOBILITY_HINGES = 1000 };
 KG_API kg_status kg_oa_mobility(const kg_oa_stability *stability, int *out_degrees,
                                 kg_error *error) KG_CHECKED;
 
+/* By how many cells the model sticks out of the card when it is closed, 0: not at all. The sheets
+ * then lie on each other, and a point y before the back sheet and z above the base lies y + z away
+ * from the fold, that is outside when y + z is more than both sheets with their margins are long.
+ * Sideways nothing ever sticks out. So many more cells of margin cover it. */
+KG_API int kg_oa_overhang(const kg_oa_sheet *sheet);
+
 /* ---- what is wrong, and where ----------------------------------------------------------- */
 
 typedef enum kg_oa_trouble {
@@ -278,6 +284,7 @@ typedef enum kg_oa_trouble {
     KG_OA_NOT_CARRIED, /* the one from the base does not */
     /* warnings */
     KG_OA_BARE_EDGE, /* the model reaches the sheet's edge: nothing to hold the card by */
+    KG_OA_OVERHANG,  /* sticks out of the card when it is closed */
     KG_OA_LOOSE,     /* a patch that does not follow from the opening of the card */
     KG_OA_FLAP,      /* the same, and it hangs on a single patch */
     KG_OA_TINY_FOLD, /* shorter than tiny_mm on paper */
@@ -298,10 +305,11 @@ typedef struct kg_oa_remark {
     int lo[3], hi[3];         /* the voxels that it is the paper of, both included, as kg_oa_faced
                                  says; without margins */
     int patch;                /* of the stability; -1: it is no patch */
-    double mm;                /* of a tiny one: its width on paper */
+    double mm;                /* of a tiny one: its width on paper; of an overhang: its length */
 } kg_oa_remark;
 
-/* All remarks, troubles in their order, each from the top of the sheet down. */
+/* All remarks, troubles in their order, each from the top of the sheet down, overhangs from the
+ * left. */
 typedef struct kg_oa_remarks {
     size_t count;
     kg_oa_remark *items;

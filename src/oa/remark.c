@@ -117,6 +117,36 @@ static bool find_bare_edges(finder *f) {
             find_bare_edge(f, s->width - 1, 0, 0, 1) && find_bare_edge(f, 0, s->rows - 1, 1, 0));
 }
 
+/* ---- overhangs -------------------------------------------------------------------------- */
+
+/* The cells of column x that stick out of the closed card; one remark for adjacent columns. */
+static bool find_overhang(finder *f, int x, bool *goes_on) {
+    const kg_oa_sheet *s = f->sheet;
+    bool found = false;
+    for (int row = 0; row < s->rows; row++) {
+        int cells = kg_oa_closed_reach(s, x, row) - kg_oa_closed_length(s);
+        if (cells <= 0)
+            continue;
+        if (!found && !*goes_on && !begin(f, KG_OA_OVERHANG))
+            return false;
+        found = *goes_on = true;
+        if (!touch(f, f->remarks.count - 1, x, row))
+            return false;
+        kg_oa_remark *r = &f->remarks.items[f->remarks.count - 1];
+        r->mm = fmax(r->mm, cells * f->cell);
+    }
+    *goes_on = found;
+    return true;
+}
+
+static bool find_overhangs(finder *f) {
+    bool goes_on = false;
+    for (int x = 0; x < f->sheet->width; x++)
+        if (!find_overhang(f, x, &goes_on))
+            return false;
+    return true;
+}
+
 /* ---- patches ---------------------------------------------------------------------------- */
 
 static bool find_loose(finder *f, bool flap) {
@@ -240,7 +270,7 @@ static kg_status find_all(finder *f, kg_error *error) {
     kg_status status = done ? kg_oa_flood(s, reached, &missing, error) : KG_OK;
     if (!status && done)
         done = (missing == 0 || find_faults(f, reached)) && find_bare_edges(f) &&
-               find_loose(f, false) && find_loose(f, true);
+               find_overhangs(f) && find_loose(f, false) && find_loose(f, true);
     if (!status && done && f->cell < f->oa->tiny_mm) {
         status = find_tiny_folds(f, error);
         done = find_tiny_necks(f, false) && find_tiny_necks(f, true);

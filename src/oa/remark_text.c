@@ -26,6 +26,9 @@ static const struct {
          N_("close a window below it, make it a window too, or remove it")},
     [KG_OA_BARE_EDGE] = {"edge", N_("the model reaches the edge of the sheet"),
                          N_("give the card a margin of plain cells, or leave its border free")},
+    [KG_OA_OVERHANG] = {"overhang", N_("the model sticks out of the card when it is closed"),
+                        N_("give the card a larger margin, or keep depth and level together within "
+                           "its longer side")},
     [KG_OA_LOOSE] = {"loose", N_("a loose patch: it does not follow from the opening of the card"),
                      N_("join it with a second firm patch in another plane, or glue it")},
     [KG_OA_FLAP] = {"flap", N_("a flap: it hangs on a single patch"),

@@ -52,6 +52,13 @@ void kg_oa_lay_column(const kg_oa *oa, int x, int32_t *place, unsigned char *mar
 /* Finds the pyramids of a card without margins and bends the sheet's cells along them. */
 kg_status kg_oa_bend(const kg_oa *oa, kg_oa_sheet *sheet, kg_error *error) KG_CHECKED;
 
+/* How far from the fold the farthest corner of a cell lies when the card is closed, cells. */
+int kg_oa_closed_reach(const kg_oa_sheet *sheet, int x, int row);
+/* How far the card itself reaches then. */
+static inline int kg_oa_closed_length(const kg_oa_sheet *sheet) {
+    return sheet->height > sheet->depth ? sheet->height : sheet->depth;
+}
+
 /* Corners of a piece, as dx and -dt, around its printed side; by kg_oa_shape and side. */
 typedef struct kg_oa_outline {
     int count, corners[4][2];

@@ -12,6 +12,7 @@ const char *kg_card_trouble_name(kg_oa_trouble trouble) {
         [KG_OA_NOT_LIFTED] = N_("Not lifted"),
         [KG_OA_NOT_CARRIED] = N_("Not carried"),
         [KG_OA_BARE_EDGE] = N_("At the edge"),
+        [KG_OA_OVERHANG] = N_("Sticks out closed"),
         [KG_OA_LOOSE] = N_("Loose"),
         [KG_OA_FLAP] = N_("Flap"),
         [KG_OA_TINY_FOLD] = N_("Tiny fold"),
