@@ -4,31 +4,33 @@
  * rest. */
 enum { STRIP_COUNT = 96 };
 
-/* Möller and Trumbore (1997); a + s (b - a) + r (c - a). */
-static bool meets(kg_vec3 o, kg_vec3 d, kg_vec3 a, kg_vec3 b, kg_vec3 c, double *t, double *s,
-                  double *r) {
-    kg_vec3 ab = kg_sub(b, a), ac = kg_sub(c, a), p = kg_cross(d, ac), ao = kg_sub(o, a);
+/* Möller and Trumbore, "Fast, minimum storage ray-triangle intersection" (1997). */
+bool kg_ray_meets(const kg_ray *ray, const kg_vec3 triangle[3], double *out_t, double *out_s,
+                  double *out_r) {
+    kg_vec3 ab = kg_sub(triangle[1], triangle[0]), ac = kg_sub(triangle[2], triangle[0]);
+    kg_vec3 p = kg_cross(ray->direction, ac), ao = kg_sub(ray->origin, triangle[0]);
     double det = kg_dot(ab, p);
     if (det == 0)
         return false;
     kg_vec3 q = kg_cross(ao, ab);
-    *s = kg_dot(ao, p) / det;
-    *r = kg_dot(d, q) / det;
-    *t = kg_dot(ac, q) / det;
-    return *s >= 0 && *r >= 0 && *s + *r <= 1 && *t > 0;
+    *out_s = kg_dot(ao, p) / det;
+    *out_r = kg_dot(ray->direction, q) / det;
+    *out_t = kg_dot(ac, q) / det;
+    return *out_s >= 0 && *out_r >= 0 && *out_s + *out_r <= 1 && *out_t > 0;
 }
 
 bool kg_patch_aim(const kg_patch *patch, kg_vec3 o, kg_vec3 d, kg_vec2 *out_uv) {
+    const kg_ray ray = {o, d};
     double nearest = (double)INFINITY, lo = patch->extent[0], hi = patch->extent[1];
     kg_vec3 a = kg_patch_point(patch, lo, 0), b = kg_patch_point(patch, hi, 0);
     for (int i = 0; i < STRIP_COUNT; i++) {
         double v = (double)i / STRIP_COUNT, w = (double)(i + 1) / STRIP_COUNT, t, s, r;
         kg_vec3 c = kg_patch_point(patch, lo, w), e = kg_patch_point(patch, hi, w);
-        if (meets(o, d, a, b, c, &t, &s, &r) && t < nearest) {
+        if (kg_ray_meets(&ray, (const kg_vec3[]){a, b, c}, &t, &s, &r) && t < nearest) {
             nearest = t;
             *out_uv = kg_v2(lo + s * (hi - lo), v + r * (w - v));
         }
-        if (meets(o, d, e, c, b, &t, &s, &r) && t < nearest) {
+        if (kg_ray_meets(&ray, (const kg_vec3[]){e, c, b}, &t, &s, &r) && t < nearest) {
             nearest = t;
             *out_uv = kg_v2(hi + s * (lo - hi), w + r * (v - w));
         }

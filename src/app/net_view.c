@@ -266,12 +266,6 @@ bool kg_net_side_points(const kg_net *net, const kg_net_side *side, size_t index
     return true;
 }
 
-static double distance(kg_vec2 p, kg_vec2 a, kg_vec2 b) {
-    kg_vec2 d = kg_sub2(b, a);
-    double n = kg_dot2(d, d), t = n > 0 ? kg_dot2(kg_sub2(p, a), d) / n : 0;
-    return kg_dist2(p, kg_lerp2(a, b, fmin(fmax(t, 0), 1)));
-}
-
 /* Pixels from a side of a join. */
 static double side_distance(const kg_net_view *v, const kg_net_side *side, kg_vec2 px) {
     const kg_net *net = picture_of(v)->net.net;
@@ -283,7 +277,7 @@ static double side_distance(const kg_net_view *v, const kg_net_side *side, kg_ve
     for (size_t i = 0; kg_net_side_points(net, side, i, &p); i++) {
         kg_vec2 at = kg_net_map_apply(&map, p);
         if (i > 0)
-            best = fmin(best, distance(px, before, at));
+            best = fmin(best, kg_segment_distance(px, before, at, NULL));
         before = at;
     }
     return best;

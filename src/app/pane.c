@@ -58,6 +58,14 @@ bool kg_pane_along_axis(const kg_pane *v, kg_vec2 px, kg_vec3 through, kg_vec3 a
     return isfinite(*out_mm);
 }
 
+double kg_segment_distance(kg_vec2 p, kg_vec2 a, kg_vec2 b, double *out_fraction) {
+    kg_vec2 d = kg_sub2(b, a);
+    double n = kg_dot2(d, d), f = n > 0 ? fmin(fmax(kg_dot2(kg_sub2(p, a), d) / n, 0), 1) : 0;
+    if (out_fraction)
+        *out_fraction = f;
+    return kg_dist2(p, kg_lerp2(a, b, f));
+}
+
 static double distance_of(const void *hit) {
     double distance;
     memcpy(&distance, hit, sizeof distance);

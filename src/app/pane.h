@@ -34,6 +34,10 @@ bool kg_pane_on_plane(const kg_pane *pane, kg_vec2 px, kg_vec3 through, kg_vec3 
  * mm; false when the axis is seen end-on. */
 bool kg_pane_along_axis(const kg_pane *pane, kg_vec2 px, kg_vec3 through, kg_vec3 axis,
                         double *out_mm);
+/* How far a point is from the segment from a to b, and (`out_fraction`, may be NULL) where on it
+ * the nearest point lies, in [0, 1]. */
+double kg_segment_distance(kg_vec2 p, kg_vec2 a, kg_vec2 b, double *out_fraction);
+
 /* Keeps the `most` nearest hits along a ray, nearest first, earlier ones before others as far;
  * returns how many there are now. A hit is a struct of `size` bytes that begins with its distance,
  * a double.

@@ -1,5 +1,6 @@
 #include "app/surfaces.h"
 
+#include "app/aim.h"
 #include "base/array.h"
 
 #include <stdlib.h>
@@ -70,24 +71,9 @@ void kg_surfaces_clear(kg_surfaces *surfaces) {
     *surfaces = (kg_surfaces){.last_revision = surfaces->last_revision};
 }
 
-/* Ray and triangle after Möller and Trumbore, "Fast, minimum storage ray-triangle intersection"
- * (1997), from both sides. */
-static bool meets(kg_vec3 o, kg_vec3 d, const kg_vertex *a, const kg_vertex *b, const kg_vertex *c,
-                  double *t, double *s, double *r) {
-    kg_vec3 ab = kg_sub(b->position, a->position), ac = kg_sub(c->position, a->position);
-    kg_vec3 p = kg_cross(d, ac);
-    double det = kg_dot(ab, p);
-    if (det == 0)
-        return false;
-    kg_vec3 ao = kg_sub(o, a->position), q = kg_cross(ao, ab);
-    *s = kg_dot(ao, p) / det;
-    *r = kg_dot(d, q) / det;
-    *t = kg_dot(ac, q) / det;
-    return *s >= 0 && *r >= 0 && *s + *r <= 1 && *t > 0;
-}
-
 bool kg_surface_hit(const kg_patch_surface *surface, kg_vec3 origin, kg_vec3 direction,
                     kg_hit *out_hit) {
+    const kg_ray ray = {origin, direction};
     kg_hit best = {.distance = INFINITY};
     for (size_t i = 0; i < surface->piece_count; i++) {
         const kg_tessellation *piece = &surface->pieces[i];
@@ -95,8 +81,9 @@ bool kg_surface_hit(const kg_patch_surface *surface, kg_vec3 origin, kg_vec3 dir
             const kg_vertex *a = &piece->vertices[piece->triangles[3 * k]],
                             *b = &piece->vertices[piece->triangles[3 * k + 1]],
                             *c = &piece->vertices[piece->triangles[3 * k + 2]];
+            const kg_vec3 triangle[] = {a->position, b->position, c->position};
             double t, s, r;
-            if (!meets(origin, direction, a, b, c, &t, &s, &r) || t >= best.distance)
+            if (!kg_ray_meets(&ray, triangle, &t, &s, &r) || t >= best.distance)
                 continue;
             best = (kg_hit){.patch = surface->id, .piece = i, .distance = t};
             best.point = kg_madd(origin, t, direction);

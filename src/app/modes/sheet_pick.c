@@ -128,14 +128,11 @@ bool kg_sheets_nearest_edge(const kg_editor *e, kg_vec2 px, double radius_px, kg
         kg_vec3 p = s->drawn[h], q = s->drawn[half->next];
         if (!kg_pane_project(&e->pane, p, &a) || !kg_pane_project(&e->pane, q, &b))
             continue;
-        kg_vec2 d = kg_sub2(b, a);
-        double t = kg_dot2(kg_sub2(px, a), d) / fmax(kg_dot2(d, d), 1e-12);
-        t = t > 0 ? fmin(t, 1) : 0;
-        kg_vec2 at = kg_add2(a, kg_scale2(d, t));
-        if (kg_dist2(at, px) > radius_px)
+        double t, distance = kg_segment_distance(px, a, b, &t);
+        if (distance > radius_px)
             continue;
         kg_vec3 drawn = kg_lerp(p, q, t);
-        candidate c = {is_hidden(e, at, drawn), kg_dist2(at, px), depth_of(e, drawn)};
+        candidate c = {is_hidden(e, kg_lerp2(a, b, t), drawn), distance, depth_of(e, drawn)};
         if (found && !is_better(c, best))
             continue;
         best = c;

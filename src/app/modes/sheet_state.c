@@ -86,10 +86,7 @@ static double height_at(const kg_origami_state *s, const double *heights, int32_
     double best = INFINITY, height = 0;
     do {
         int32_t next = next_half(s, h);
-        kg_vec2 a = paper_at(s, h), d = kg_sub2(paper_at(s, next), a);
-        double t = kg_dot2(kg_sub2(p, a), d) / kg_dot2(d, d);
-        t = t > 0 ? fmin(t, 1) : 0;
-        double distance = kg_dist2(p, kg_add2(a, kg_scale2(d, t)));
+        double t, distance = kg_segment_distance(p, paper_at(s, h), paper_at(s, next), &t);
         if (distance < best) {
             best = distance;
             height = heights[h] + t * (heights[next] - heights[h]);

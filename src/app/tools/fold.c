@@ -13,15 +13,6 @@ static kg_vec3 vertex_position(const kg_sheets *s, int32_t vertex) {
     return s->state->vertices.items[vertex].position;
 }
 
-static bool has_corner(const kg_origami_state *s, int32_t loop, kg_vec3 p) {
-    int32_t first = s->loops.items[loop].first, h = first;
-    do
-        if (kg_dist(s->vertices.items[s->halves.items[h].origin].position, p) < 1e-8 * s->size)
-            return true;
-    while ((h = s->halves.items[h].next) != first);
-    return false;
-}
-
 /* ---- what lies under the pointer ----------------------------------------------------------- */
 
 static void set_group(kg_editor *e, kg_fold_tool *t, int32_t loop, kg_vec3 near) {
@@ -45,7 +36,7 @@ static void find_vertex(kg_editor *e, kg_fold_tool *t, kg_vec2 px) {
     if (kg_sheets_nearest_vertex(e, px, GRAB_DISTANCE * e->pane.scale, &corner)) {
         kg_vec3 at = vertex_position(s, corner.vertex);
         t->vertex = corner.vertex;
-        if (kg_sheets_hit(e, px, &hit, 1) > 0 && has_corner(s->state, hit.loop, at))
+        if (kg_sheets_hit(e, px, &hit, 1) > 0 && kg_fold_has_corner(s->state, hit.loop, at))
             t->picked = hit.loop;
         set_group(e, t, t->picked >= 0 ? t->picked : corner.loop, corner.drawn);
     }
@@ -117,7 +108,8 @@ static void find_side(kg_editor *e, kg_fold_tool *t, kg_vec2 px) {
         s->state->loops.items[corner.loop].group == t->group &&
         fabs(side_of_axis(t, s, vertex_position(s, corner.vertex))) > 1e-6 * s->state->size) {
         t->vertex = s->hover_vertex = corner.vertex;
-        if (t->picked >= 0 && !has_corner(s->state, t->picked, vertex_position(s, t->vertex)))
+        if (t->picked >= 0 &&
+            !kg_fold_has_corner(s->state, t->picked, vertex_position(s, t->vertex)))
             t->picked = -1;
     }
 }

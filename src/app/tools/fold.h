@@ -120,6 +120,8 @@ void kg_fold_reason(const kg_fold_tool *tool, char *out, size_t size);
 /* Works out `fold`, whose angle, layers and gap are set here. */
 void kg_fold_try(kg_editor *editor, kg_fold fold);
 void kg_fold_forget(kg_fold_tool *tool);
+/* Whether a loop has a corner at a point. */
+bool kg_fold_has_corner(const kg_origami_state *state, int32_t loop, kg_vec3 point);
 /* The loops with a corner at a vertex, in the group, from the topmost as it folds. */
 void kg_fold_find_pile(kg_editor *editor, kg_fold_tool *tool);
 

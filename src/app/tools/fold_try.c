@@ -70,7 +70,7 @@ static bool lies_on(const kg_origami_state *s, const kg_fold_tool *t, int32_t a,
     return kg_origami_order(s, a, b) * (up > 0 ? 1 : -1) > 0;
 }
 
-static bool has_corner(const kg_origami_state *s, size_t loop, kg_vec3 p) {
+bool kg_fold_has_corner(const kg_origami_state *s, int32_t loop, kg_vec3 p) {
     int32_t first = s->loops.items[loop].first, h = first;
     do
         if (kg_dist(s->vertices.items[s->halves.items[h].origin].position, p) < 1e-8 * s->size)
@@ -89,7 +89,7 @@ void kg_fold_find_pile(kg_editor *e, kg_fold_tool *t) {
         return;
     kg_vec3 at = s->vertices.items[t->vertex].position;
     for (size_t i = 0; i < loops; i++)
-        if (s->loops.items[i].group == t->group && has_corner(s, i, at))
+        if (s->loops.items[i].group == t->group && kg_fold_has_corner(s, (int32_t)i, at))
             t->pile[i] = 1;
     for (size_t i = 0; i < loops; i++) {
         for (size_t k = 0; k < loops && t->pile[i]; k++)

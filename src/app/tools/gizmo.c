@@ -54,12 +54,6 @@ static bool make_shapes(const kg_editor *e, shapes *out) {
     return ok;
 }
 
-static double segment_distance(kg_vec2 p, kg_vec2 a, kg_vec2 b) {
-    kg_vec2 ab = kg_sub2(b, a);
-    double t = kg_dot2(kg_sub2(p, a), ab) / fmax(kg_dot2(ab, ab), 1e-12);
-    return kg_dist2(p, kg_lerp2(a, b, fmin(fmax(t, 0), 1)));
-}
-
 kg_gizmo_handle kg_gizmo_under(const kg_editor *e, kg_vec2 px) {
     shapes s;
     kg_gizmo_handle best = {.axis = -1};
@@ -69,7 +63,7 @@ kg_gizmo_handle kg_gizmo_under(const kg_editor *e, kg_vec2 px) {
     for (int i = 0; i < 3; i++) {
         /* the inner part of an arrow belongs to what lies under it */
         kg_vec2 from = kg_lerp2(s.center, s.tips[i], 0.25);
-        double d = segment_distance(px, from, s.tips[i]);
+        double d = kg_segment_distance(px, from, s.tips[i], NULL);
         if (d < nearest && kg_dist2(s.center, s.tips[i]) > 2 * GRAB * s.scale) {
             nearest = d;
             best = (kg_gizmo_handle){true, KG_TRANSFORM_MOVE, i};
@@ -77,7 +71,7 @@ kg_gizmo_handle kg_gizmo_under(const kg_editor *e, kg_vec2 px) {
         for (int k = 1; k < RING_POINTS; k++) {
             if (!s.in_front[i][k] || !s.in_front[i][k - 1])
                 continue;
-            d = segment_distance(px, s.rings[i][k - 1], s.rings[i][k]);
+            d = kg_segment_distance(px, s.rings[i][k - 1], s.rings[i][k], NULL);
             if (d < 0.7 * nearest) {
                 nearest = d;
                 best = (kg_gizmo_handle){true, KG_TRANSFORM_ROTATE, i};

@@ -41,13 +41,6 @@ typedef struct search {
     kg_vec3 place;
 } search;
 
-static double segment_distance(kg_vec2 at, kg_vec2 a, kg_vec2 b, double *out_f) {
-    kg_vec2 d = kg_sub2(b, a);
-    double n = kg_dot2(d, d);
-    *out_f = n > 0 ? fmin(fmax(kg_dot2(kg_sub2(at, a), d) / n, 0), 1) : 0;
-    return kg_dist2(at, kg_lerp2(a, b, *out_f));
-}
-
 static bool look_at(const kg_solved_patch *patch, const kg_region_loop *loop,
                     const kg_region_edge *edge, void *data) {
     search *s = data;
@@ -57,7 +50,7 @@ static bool look_at(const kg_solved_patch *patch, const kg_region_loop *loop,
     for (size_t i = 1; i <= edge->count; i++) {
         kg_vec3 x = kg_region_edge_point(loop, edge, i).x;
         bool sees = kg_pane_project(&s->editor->pane, x, &to);
-        double f = 0, distance = seen && sees ? segment_distance(s->px, from, to, &f) : HUGE_VAL;
+        double f = 0, distance = seen && sees ? kg_segment_distance(s->px, from, to, &f) : HUGE_VAL;
         if (distance < s->nearest) {
             kg_vec3 place = kg_lerp(before, x, f);
             double depth = kg_dot(kg_sub(place, s->eye), s->direction);

@@ -76,10 +76,7 @@ static bool on_ring(const kg_editor *e, kg_vec2 px) {
     for (int i = 0; i + 1 < RING_POINTS; i++) {
         if (!kg_pane_project(&e->pane, ring[i], &a) || !kg_pane_project(&e->pane, ring[i + 1], &b))
             continue;
-        kg_vec2 d = kg_sub2(b, a);
-        double t = kg_dot2(kg_sub2(px, a), d) / fmax(kg_dot2(d, d), 1e-12);
-        kg_vec2 at = kg_add2(a, kg_scale2(d, t > 0 ? fmin(t, 1) : 0));
-        if (kg_dist2(at, px) < GRAB_DISTANCE * e->pane.scale)
+        if (kg_segment_distance(px, a, b, NULL) < GRAB_DISTANCE * e->pane.scale)
             return true;
     }
     return false;
@@ -92,16 +89,14 @@ static kg_vec2 pull_of(const kg_paper_sheet *other, kg_vec2 p, double reach, dou
     kg_vec2 pull = kg_v2(0, 0);
     for (size_t i = 0; i < other->count; i++) {
         kg_vec2 a = other->polygon[i], b = other->polygon[(i + 1) % other->count];
-        kg_vec2 d = kg_sub2(b, a);
-        double t = kg_dot2(kg_sub2(p, a), d) / kg_dot2(d, d);
-        kg_vec2 side = kg_add2(a, kg_scale2(d, t > 0 ? fmin(t, 1) : 0));
+        double t, distance = kg_segment_distance(p, a, b, &t);
         if (kg_dist2(p, a) < fmin(reach, *best)) {
             *best = kg_dist2(p, a);
             pull = kg_sub2(a, p);
         }
-        if (reach + kg_dist2(p, side) < *best) { /* worse than any corner */
-            *best = reach + kg_dist2(p, side);
-            pull = kg_sub2(side, p);
+        if (reach + distance < *best) { /* worse than any corner */
+            *best = reach + distance;
+            pull = kg_sub2(kg_lerp2(a, b, t), p);
         }
     }
     return pull;

@@ -22,7 +22,6 @@ struct kg_tool {
     void (*end)(kg_editor *editor);
 };
 
-extern const kg_tool kg_tool_look;
 extern const kg_tool kg_tool_select;
 extern const kg_tool kg_tool_place;
 extern const kg_tool kg_tool_transform;

@@ -1,6 +1,6 @@
 /*
- * Widgets, drawn anew every frame: the only door to Dear ImGui (ui.cpp is the only file that
- * includes it).
+ * Widgets, drawn anew every frame: the only door to Dear ImGui, which the C++ files of this folder
+ * alone include.
  *
  * Between kg_ui_begin and kg_ui_end each call shows a widget and tells at once what the user did
  * with it. Labels identify widgets: "Name##3" shows "Name". Lengths are layout units (pixels
