@@ -72,6 +72,17 @@ typedef struct kg_progress {
     void *user;
 } kg_progress;
 
+/* ---- numbers --------------------------------------------------------------------------- */
+
+/* The smaller and the larger of two, `b` where one is NaN: a single instruction each, while fmin
+ * and fmax are calls. */
+static inline double kg_min(double a, double b) {
+    return a < b ? a : b;
+}
+static inline double kg_max(double a, double b) {
+    return a > b ? a : b;
+}
+
 /* ---- vectors --------------------------------------------------------------------------- */
 
 typedef struct kg_vec2 {
@@ -175,8 +186,8 @@ static inline kg_box3 kg_box3_empty(void) {
     return b;
 }
 static inline void kg_box3_add(kg_box3 *b, kg_vec3 p) {
-    b->lo = kg_v3(fmin(b->lo.x, p.x), fmin(b->lo.y, p.y), fmin(b->lo.z, p.z));
-    b->hi = kg_v3(fmax(b->hi.x, p.x), fmax(b->hi.y, p.y), fmax(b->hi.z, p.z));
+    b->lo = kg_v3(kg_min(p.x, b->lo.x), kg_min(p.y, b->lo.y), kg_min(p.z, b->lo.z));
+    b->hi = kg_v3(kg_max(p.x, b->hi.x), kg_max(p.y, b->hi.y), kg_max(p.z, b->hi.z));
 }
 static inline kg_box2 kg_box2_empty(void) {
     kg_box2 b;
@@ -185,8 +196,8 @@ static inline kg_box2 kg_box2_empty(void) {
     return b;
 }
 static inline void kg_box2_add(kg_box2 *b, kg_vec2 p) {
-    b->lo = kg_v2(fmin(b->lo.x, p.x), fmin(b->lo.y, p.y));
-    b->hi = kg_v2(fmax(b->hi.x, p.x), fmax(b->hi.y, p.y));
+    b->lo = kg_v2(kg_min(p.x, b->lo.x), kg_min(p.y, b->lo.y));
+    b->hi = kg_v2(kg_max(p.x, b->hi.x), kg_max(p.y, b->hi.y));
 }
 
 #ifdef __cplusplus

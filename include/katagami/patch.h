@@ -86,6 +86,9 @@ KG_API kg_status kg_patch_init(const kg_patch_input *input, kg_patch *out_patch,
 /* The ruling at v in [0,1]. */
 KG_API kg_ruling kg_patch_ruling(const kg_patch *patch, double v);
 
+/* The foot p(v) of a ruling and its direction d(v): what kg_patch_point is made of. */
+KG_API kg_vec3 kg_patch_line(const kg_patch *patch, double v, kg_vec3 *out_d);
+
 /* X(u,v) */
 KG_API kg_vec3 kg_patch_point(const kg_patch *patch, double u, double v);
 

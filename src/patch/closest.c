@@ -1,4 +1,5 @@
 /* The point of a patch nearest to a given one. */
+#include "patch/minimum.h"
 #include "patch/prepare.h"
 
 enum { SCAN = KG_PATCH_SCAN };
@@ -14,8 +15,7 @@ static double clamp(double x, double lo, double hi) {
 
 /* Squared distance from `point` to the ruling segment at v. */
 static double ruling_distance2(const kg_patch *patch, kg_vec3 point, double v, double *out_u) {
-    kg_vec3 p = kg_curve_point(&patch->geodesic, v);
-    kg_vec3 d = kg_sub(kg_patch_point(patch, 1, v), p);
+    kg_vec3 d, p = kg_patch_line(patch, v, &d);
     double u = clamp(kg_dot(kg_sub(point, p), d), patch->extent[0], patch->extent[1]);
     kg_vec3 gap = kg_sub(kg_madd(p, u, d), point);
     *out_u = u;
@@ -29,26 +29,26 @@ static void offer(const kg_patch *patch, kg_vec3 point, double v, nearest *best)
         *best = (nearest){d2, u, v};
 }
 
-/* Golden section to this width of v; Gauss-Newton goes on from there. */
+typedef struct search {
+    const kg_patch *patch;
+    kg_vec3 point;
+} search;
+
+static double distance2_at(void *user, double v) {
+    const search *s = user;
+    double unused;
+    return ruling_distance2(s->patch, s->point, v, &unused);
+}
+
+/* A search by values alone goes to this width of v; Gauss-Newton goes on from there. */
 #define NARROW 1e-6
 
 static void descend(const kg_patch *patch, kg_vec3 point, double lo, double hi, nearest *best) {
-    const double golden = 0.61803398874989485;
-    double a = hi - golden * (hi - lo), b = lo + golden * (hi - lo), unused;
-    double fa = ruling_distance2(patch, point, a, &unused);
-    double fb = ruling_distance2(patch, point, b, &unused);
-    while (hi - lo > NARROW) {
-        if (fa < fb) {
-            hi = b, b = a, fb = fa, a = hi - golden * (hi - lo);
-            fa = ruling_distance2(patch, point, a, &unused);
-        } else {
-            lo = a, a = b, fa = fb, b = lo + golden * (hi - lo);
-            fb = ruling_distance2(patch, point, b, &unused);
-        }
-    }
+    double v;
+    kg_minimum(distance2_at, &(search){patch, point}, lo, hi, NARROW, &v);
     /* the foot of the perpendicular in the tangent plane, along the ruling's normal in it */
     nearest at = {INFINITY, 0, 0};
-    offer(patch, point, 0.5 * (lo + hi), &at);
+    offer(patch, point, v, &at);
     for (int i = 0; i < 8; i++) {
         kg_vec3 du, dv, x = kg_patch_derivatives(patch, at.u, at.v, &du, &dv);
         kg_vec3 across = kg_madd(dv, -kg_dot(dv, du), du);

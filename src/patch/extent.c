@@ -1,4 +1,5 @@
 /* How far a patch may reach: the edge of regression over all rulings, and their angles. */
+#include "patch/minimum.h"
 #include "patch/prepare.h"
 
 /* A ruling nearer to its geodesic than this (radians) runs along it: sin θ is all rounding. */
@@ -28,45 +29,24 @@ static double bend(const kg_ruling *r) {
     return kg_len(kg_cross(r->dp, r->ddp)) / r->speed;
 }
 
-/* The largest (sign 1) or smallest (-1) value of f in [lo, hi], where it has one: parabolas through
- * the best three points, golden section where they do not shrink (Brent 1973, "Algorithms for
- * minimization without derivatives", chapter 5). v to 1e-7 of the bracket puts a smooth extreme
- * right to 1e-14. */
+typedef struct slope {
+    const kg_patch *patch;
+    measure f;
+    double sign;
+} slope;
+
+static double height(void *user, double v) {
+    const slope *s = user;
+    kg_ruling r = kg_patch_ruling(s->patch, v);
+    return -s->sign * s->f(&r);
+}
+
+/* The largest (sign 1) or smallest (-1) value of f in [lo, hi], where it has one. v to 1e-7 of the
+ * bracket puts a smooth extreme right to 1e-14. */
 static double climb(const kg_patch *p, measure f, double sign, double lo, double hi,
                     double *out_v) {
-    const double golden = 0.38196601125010515;
-    double narrow = fmax(1e-7 * (hi - lo), 4e-16 * hi);
-    double x = lo + golden * (hi - lo), w = x, v = x; /* best, second, the second before */
-    kg_ruling r = kg_patch_ruling(p, x);
-    double fx = -sign * f(&r), fw = fx, fv = fx, step = 0, before = 0;
-    for (int i = 0; i < 60; i++) {
-        double middle = 0.5 * (lo + hi);
-        if (fabs(x - middle) <= 2 * narrow - 0.5 * (hi - lo))
-            break;
-        double a = (x - w) * (fx - fv), b = (x - v) * (fx - fw);
-        double above = (x - v) * b - (x - w) * a, below = 2 * (b - a);
-        double parabola = -above / below;
-        bool good = fabs(parabola) < 0.5 * fabs(before) && x + parabola > lo && x + parabola < hi;
-        before = good ? step : (x < middle ? hi : lo) - x;
-        step = good ? parabola : golden * before;
-        if (fabs(step) < narrow)
-            step = x < middle ? narrow : -narrow;
-        double u = x + step;
-        r = kg_patch_ruling(p, u);
-        double fu = -sign * f(&r);
-        if (fu <= fx) {
-            *(u < x ? &hi : &lo) = x;
-            v = w, fv = fw, w = x, fw = fx, x = u, fx = fu;
-        } else {
-            *(u < x ? &lo : &hi) = u;
-            if (fu <= fw || w == x)
-                v = w, fv = fw, w = u, fw = fu;
-            else if (fu <= fv || v == x || v == w)
-                v = u, fv = fu;
-        }
-    }
-    *out_v = x;
-    return -sign * fx;
+    slope s = {p, f, sign};
+    return -sign * kg_minimum(height, &s, lo, hi, fmax(1e-7 * (hi - lo), 4e-16 * hi), out_v);
 }
 
 /* ---- samples ---------------------------------------------------------------------------- */

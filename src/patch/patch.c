@@ -83,7 +83,7 @@ kg_ruling kg_patch_ruling(const kg_patch *patch, double v) {
     return r;
 }
 
-kg_vec3 kg_patch_point(const kg_patch *patch, double u, double v) {
+kg_vec3 kg_patch_line(const kg_patch *patch, double v, kg_vec3 *out_d) {
     kg_vec3 p[4], d = patch->rulings[0];
     bool darboux = is_darboux(patch);
     kg_curve_derivatives(&patch->geodesic, v, darboux ? 3 : 0, p);
@@ -94,7 +94,13 @@ kg_vec3 kg_patch_point(const kg_patch *patch, double u, double v) {
     } else if (patch->ruling_degree > 0) {
         d = kg_unit(kg_bernstein_eval3(patch->rulings, patch->ruling_degree, v));
     }
-    return kg_madd(p[0], u, d);
+    *out_d = d;
+    return p[0];
+}
+
+kg_vec3 kg_patch_point(const kg_patch *patch, double u, double v) {
+    kg_vec3 d, p = kg_patch_line(patch, v, &d);
+    return kg_madd(p, u, d);
 }
 
 kg_vec3 kg_patch_derivatives(const kg_patch *patch, double u, double v, kg_vec3 *out_du,

@@ -39,7 +39,7 @@ static kg_status add_arc(kg_arrangement *a, const kg_event *e, const kg_event *f
     if (ok && e->node == f->node && !wraps && arc.count <= 3) {
         double reach = 0;
         for (size_t i = 0; i < arc.count; i++)
-            reach = fmax(reach, kg_dist2(kg_pool_plane(a, arc.first + i), a->nodes[e->node]));
+            reach = kg_max(kg_dist2(kg_pool_plane(a, arc.first + i), a->nodes[e->node]), reach);
         if (reach <= 2 * a->snap) {
             a->pool_count = arc.first;
             return KG_OK;

@@ -41,7 +41,7 @@ kg_cross_point kg_chain_at(const kg_patch *patch, const kg_chain *chain, size_t 
 double kg_nearest_fraction(kg_vec2 p, kg_vec2 a, kg_vec2 b) {
     kg_vec2 d = kg_sub2(b, a);
     double n = kg_dot2(d, d), f = n > 0 ? kg_dot2(kg_sub2(p, a), d) / n : 0;
-    return fmin(fmax(f, 0), 1);
+    return kg_min(kg_max(f, 0), 1);
 }
 
 /* Curves are sampled so that they leave their chords by less than this share of the chord. */

@@ -39,7 +39,7 @@ static double single_root(const double *c, int n) {
     for (int i = 0; i < 60; i++) {
         double slope, f = evaluate(c, n, t, &slope), step = f / slope, next = t - step;
         if (fabs(step) < 1e-6) /* the next step would be its square */
-            return fmin(fmax(next, 0), 1);
+            return kg_min(kg_max(next, 0), 1);
         *((f > 0) == (c[0] > 0) ? &lo : &hi) = t;
         t = next > lo && next < hi ? next : 0.5 * (lo + hi);
     }

@@ -84,7 +84,7 @@ kg_sample kg_cross_sample(const kg_ruled_pair *pair, double v, double t, kg_arc_
     kg_line_unit(&a, &da, &dda);
     kg_line_unit(&b, &db, &ddb);
     kg_sample s = {.across = kg_cross(da, db)};
-    double n2 = fmax(kg_dot(s.across, s.across), 1e-30);
+    double n2 = kg_max(kg_dot(s.across, s.across), 1e-30);
     kg_vec3 to_u = kg_scale(kg_cross(db, s.across), 1 / n2);
     kg_vec3 to_s = kg_scale(kg_cross(da, s.across), 1 / n2);
     kg_vec3 gap = kg_sub(b.p, a.p);

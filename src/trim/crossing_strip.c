@@ -17,31 +17,23 @@ static kg_vec3 coefficient(const kg_strip *s, int k, int i) {
     return kg_v3(s->c[k][i], s->c[k + 1][i], s->c[k + 2][i]);
 }
 
-/* fmin and fmax without their care for NaN, which no strip holds */
-static double lesser(double x, double y) {
-    return x < y ? x : y;
-}
-static double greater(double x, double y) {
-    return x > y ? x : y;
-}
-
 /* The range of a · X over the strip. */
 static void range(const kg_strips *set, const kg_strip *s, kg_vec3 a, double out[2]) {
     double p[2] = {INFINITY, -INFINITY}, d[2] = {INFINITY, -INFINITY};
     for (int i = 0; i <= set->ruled.patch->geodesic.degree; i++) {
         double x = kg_dot(a, s->p[i]);
-        p[0] = lesser(p[0], x), p[1] = greater(p[1], x);
+        p[0] = kg_min(p[0], x), p[1] = kg_max(p[1], x);
     }
     int n = set->ruled.patch->ruling_degree == 0 ? 0 : set->ruled.degree;
     for (int i = 0; i <= n; i++) {
         double x = kg_dot(a, s->d[i]);
-        d[0] = lesser(d[0], x), d[1] = greater(d[1], x);
+        d[0] = kg_min(d[0], x), d[1] = kg_max(d[1], x);
     }
     d[0] *= d[0] < 0 ? s->widen : 1;
     d[1] *= d[1] > 0 ? s->widen : 1;
     const double *u = set->ruled.patch->extent;
-    out[0] = p[0] + lesser(lesser(u[0] * d[0], u[0] * d[1]), lesser(u[1] * d[0], u[1] * d[1]));
-    out[1] = p[1] + greater(greater(u[0] * d[0], u[0] * d[1]), greater(u[1] * d[0], u[1] * d[1]));
+    out[0] = p[0] + kg_min(kg_min(u[0] * d[0], u[0] * d[1]), kg_min(u[1] * d[0], u[1] * d[1]));
+    out[1] = p[1] + kg_max(kg_max(u[0] * d[0], u[0] * d[1]), kg_max(u[1] * d[0], u[1] * d[1]));
 }
 
 /* Unit vectors d_i = R_i/|R_i| hold every unit ruling in their cone; with m their mean direction,
@@ -51,7 +43,7 @@ static void measure(const kg_strips *set, kg_strip *s) {
     for (int k = 0; k < 6; k++) {
         s->largest[k] = 0;
         for (int i = 0; i <= n; i++)
-            s->largest[k] = greater(s->largest[k], fabs(s->c[k][i]));
+            s->largest[k] = kg_max(s->largest[k], fabs(s->c[k][i]));
     }
     if (s->depth > KG_STRIP_DEPTH)
         return;
@@ -67,13 +59,13 @@ static void measure(const kg_strips *set, kg_strip *s) {
         mean = kg_unit(mean);
         double least = 1;
         for (int i = 0; i <= n; i++)
-            least = lesser(least, kg_dot(s->d[i], mean));
+            least = kg_min(least, kg_dot(s->d[i], mean));
         s->widen = least > 1e-3 ? 1 / least : HUGE_VAL;
     }
     int m = set->ruled.patch->geodesic.degree;
     if (isinf(s->widen)) {
         /* a fan of more than a half-turn: every direction */
-        double u = greater(fabs(set->ruled.patch->extent[0]), fabs(set->ruled.patch->extent[1]));
+        double u = kg_max(fabs(set->ruled.patch->extent[0]), fabs(set->ruled.patch->extent[1]));
         s->box = kg_box3_empty();
         for (int i = 0; i <= m; i++) {
             kg_box3_add(&s->box, kg_sub(s->p[i], kg_v3(u, u, u)));

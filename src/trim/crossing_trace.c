@@ -68,7 +68,7 @@ static kg_sample arc_point(const tracer *tr, double w, double guess) {
     const kg_ruled *moving = over_v ? &tr->pair->b : &tr->pair->a;
     double lo = over_v ? arc->t[0] : arc->v[0], hi = over_v ? arc->t[1] : arc->v[1];
     kg_line at = kg_ruled_line(fixed, w);
-    double x = fmin(fmax(guess, lo), hi);
+    double x = kg_min(kg_max(guess, lo), hi);
     for (int i = 0; i < 60; i++) {
         kg_line line = kg_ruled_line(moving, x);
         double fv, ft;
@@ -140,14 +140,15 @@ static double chord_error(const tracer *tr, const kg_sample *p, const kg_sample 
     bool at_p = kg_dot(p->slope.x, p->slope.x) > 0, at_q = kg_dot(q->slope.x, q->slope.x) > 0;
     chord = kg_unit(chord);
     if (at_p)
-        bend = fmax(bend, kg_dist(p->slope.x, chord));
+        bend = kg_max(kg_dist(p->slope.x, chord), bend);
     if (at_q)
-        bend = fmax(bend, kg_dist(q->slope.x, chord));
+        bend = kg_max(kg_dist(q->slope.x, chord), bend);
     for (int k = 0; k < 2 && at_p && at_q; k++) {
         kg_vec2 flat = paper_chord(tr, p, q, k);
         double n = kg_len2(flat);
         flat = kg_scale2(flat, n > 0 ? 1 / n : 0);
-        bend = fmax(bend, fmax(kg_dist2(p->paper[k], flat), kg_dist2(q->paper[k], flat)));
+        bend = kg_max(kg_dist2(p->paper[k], flat), bend);
+        bend = kg_max(kg_dist2(q->paper[k], flat), bend);
     }
     *out_turn = 2 * bend;
     return 0.25 * length * bend;
@@ -167,8 +168,8 @@ static void cubic(const kg_sample *p, const kg_sample *q, int k, double out[4]) 
 static void reach(const kg_sample *p, const kg_sample *q, int k, double out[2]) {
     double c[4];
     cubic(p, q, k, c);
-    out[0] = fmin(fmin(c[0], c[1]), fmin(c[2], c[3]));
-    out[1] = fmax(fmax(c[0], c[1]), fmax(c[2], c[3]));
+    out[0] = kg_min(kg_min(c[0], c[1]), kg_min(c[2], c[3]));
+    out[1] = kg_max(kg_max(c[0], c[1]), kg_max(c[2], c[3]));
 }
 
 /* Coordinate steps that no rounding or interpolation makes, in units of coordinate k. */
@@ -266,7 +267,7 @@ static kg_sample side_point(const tracer *tr, const kg_sample *p, const kg_sampl
     double f0 = coordinate(&p->at, k) - side, f1 = coordinate(&q->at, k) - side;
     double w0 = parameter(tr, p), w1 = parameter(tr, q), w = w0 + (w1 - w0) * (f0 / (f0 - f1));
     for (int i = 0; i < 60; i++) {
-        if (!(w > fmin(w0, w1) && w < fmax(w0, w1)))
+        if (!(w > kg_min(w0, w1) && w < kg_max(w0, w1)))
             w = 0.5 * (w0 + w1);
         s = between(&strict, &ends[0], &ends[1], w);
         double f = coordinate(&s.at, k) - side;

@@ -234,32 +234,45 @@ bool kg_region_contains(const kg_region *region, double u, double v) {
     return inside;
 }
 
-static double segment_distance(kg_vec3 p, kg_vec3 a, kg_vec3 b) {
-    kg_vec3 d = kg_sub(b, a);
-    double n = kg_dot(d, d), f = n > 0 ? kg_dot(kg_sub(p, a), d) / n : 0;
-    return kg_dist(p, kg_madd(a, fmin(fmax(f, 0), 1), d));
+static double segment_distance2(kg_vec3 p, kg_vec3 a, kg_vec3 b) {
+    kg_vec3 d = kg_sub(b, a), off = kg_sub(p, a);
+    double n = kg_dot(d, d), f = n > 0 ? kg_dot(off, d) / n : 0;
+    kg_vec3 gap = kg_madd(off, -kg_min(kg_max(f, 0), 1), d);
+    return kg_dot(gap, gap);
+}
+
+void kg_feet_find(const kg_patch *patch, kg_vec3 point, kg_feet *out) {
+    out->point = point;
+    for (int i = 0; i <= KG_FEET_ROWS; i++) {
+        kg_vec3 d, p = kg_patch_line(patch, (double)i / KG_FEET_ROWS, &d), off = kg_sub(point, p);
+        out->u[i] = kg_dot(off, d);
+        kg_vec3 gap = kg_madd(off, -out->u[i], d);
+        out->distance2[i] = kg_dot(gap, gap);
+    }
+}
+
+double kg_feet_distance2(const kg_feet *feet, const kg_region *region, double most) {
+    double best = most;
+    for (size_t i = 0; i < region->loop_count; i++) {
+        const kg_region_loop *loop = &region->loops[i];
+        kg_vec3 last = loop->points[loop->point_count - 1].x;
+        for (size_t k = 0; k < loop->point_count; k++) {
+            best = kg_min(segment_distance2(feet->point, last, loop->points[k].x), best);
+            last = loop->points[k].x;
+        }
+    }
+    for (int i = 0; i <= KG_FEET_ROWS; i++)
+        if (feet->distance2[i] < best &&
+            kg_region_contains(region, feet->u[i], (double)i / KG_FEET_ROWS))
+            best = feet->distance2[i];
+    return best;
 }
 
 double kg_region_distance(const kg_patch *patch, const kg_region *region, kg_vec3 point) {
-    double u, v, best = kg_patch_closest(patch, point, &u, &v);
+    double u, v, distance = kg_patch_closest(patch, point, &u, &v);
     if (kg_region_contains(region, u, v))
-        return best;
-    best = INFINITY;
-    for (size_t i = 0; i < region->loop_count; i++) {
-        const kg_region_loop *loop = &region->loops[i];
-        for (size_t k = 0; k < loop->point_count; k++)
-            best = fmin(best, segment_distance(point, loop->points[k].x,
-                                               loop->points[(k + 1) % loop->point_count].x));
-    }
-    /* Minima inside the region that are not the patch's own: rows of rulings, dense enough to tell
-     * one piece from another. */
-    enum { ROWS = 128 };
-    for (int i = 0; i <= ROWS; i++) {
-        double row = (double)i / ROWS;
-        kg_ruling r = kg_patch_ruling(patch, row);
-        double foot = kg_dot(kg_sub(point, r.p), r.d);
-        if (kg_region_contains(region, foot, row))
-            best = fmin(best, kg_dist(point, kg_madd(r.p, foot, r.d)));
-    }
-    return best;
+        return distance;
+    kg_feet feet;
+    kg_feet_find(patch, point, &feet);
+    return sqrt(kg_feet_distance2(&feet, region, INFINITY));
 }

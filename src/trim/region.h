@@ -37,6 +37,20 @@ typedef bool (*kg_face_filter)(const kg_arrangement *a, size_t face, const void 
 kg_status kg_regions_from_faces(const kg_arrangement *a, kg_face_filter wanted, const void *user,
                                 kg_regions *regions) KG_CHECKED;
 
+/* Where perpendiculars from a point meet rulings, in rows dense enough to tell one piece of a patch
+ * from another: where a piece comes nearest that does not hold the patch's own nearest point, and
+ * not on its boundary. */
+enum { KG_FEET_ROWS = 128 };
+typedef struct kg_feet {
+    kg_vec3 point;
+    double u[KG_FEET_ROWS + 1], distance2[KG_FEET_ROWS + 1];
+} kg_feet;
+void kg_feet_find(const kg_patch *patch, kg_vec3 point, kg_feet *out);
+
+/* Squared distance from the point to its feet in a region and to the boundary, `most` if it is
+ * not less. */
+double kg_feet_distance2(const kg_feet *feet, const kg_region *region, double most);
+
 /* The end of every trim: hands the pieces out, or clears them and says what failed. */
 kg_status kg_trim_finish(kg_status status, kg_regions *pieces, kg_regions *out_regions,
                          kg_error *error) KG_CHECKED;

@@ -34,14 +34,16 @@ kg_status kg_regions_from_faces(const kg_arrangement *a, kg_face_filter wanted, 
 
 static size_t nearest_piece(const kg_patch *patch, const kg_regions *pieces, kg_vec3 point) {
     /* the piece that holds the patch's nearest point, if any holds it, is the nearest */
-    double u, v, least = HUGE_VAL;
+    double u, v, least = INFINITY;
     size_t best = 0;
     kg_patch_closest(patch, point, &u, &v);
     for (size_t i = 0; i < pieces->count; i++)
         if (kg_region_contains(&pieces->items[i], u, v))
             return i;
+    kg_feet feet;
+    kg_feet_find(patch, point, &feet);
     for (size_t i = 0; i < pieces->count; i++) {
-        double d = kg_region_distance(patch, &pieces->items[i], point);
+        double d = kg_feet_distance2(&feet, &pieces->items[i], least);
         if (d < least)
             least = d, best = i;
     }
