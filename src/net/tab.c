@@ -210,6 +210,9 @@ static kg_status finish_part(tabber *t, size_t part) {
 
 /* ---- the new net ------------------------------------------------------------------------ */
 
+/* Parts that meet at less than this angle (radians) lie in one plane: the sign is rounding. */
+#define FLAT 1e-6
+
 static kg_status add_folds(const tabber *t, size_t part, kg_net *out, size_t *tab_count,
                            kg_error *error) {
     const kg_tab_list *tabs = &t->tabs[part];
@@ -222,7 +225,7 @@ static kg_status add_folds(const tabber *t, size_t part, kg_net *out, size_t *ta
         kg_net_line line;
         kg_status status =
             kg_tab_fold(&t->grounds[part].loops[tab->loop], tab,
-                        angle < 0 ? KG_NET_MOUNTAIN : KG_NET_VALLEY, ++number, &line);
+                        angle < -FLAT ? KG_NET_MOUNTAIN : KG_NET_VALLEY, ++number, &line);
         if (status != KG_OK)
             return kg_fail(error, status, "out of memory while adding tabs");
         status = kg_net_add_line(out, part, &line, NULL, error);
