@@ -243,20 +243,6 @@ void kg_editor_update(kg_editor *e) {
     follow_solution(e);
 }
 
-size_t kg_editor_hits(const kg_editor *e, kg_vec2 px, kg_hit *out_hits, size_t most) {
-    kg_vec3 origin, direction;
-    size_t count = 0;
-    kg_pane_ray(&e->pane, px, &origin, &direction);
-    for (size_t i = 0; i < e->surfaces.count; i++) {
-        const kg_model_patch *p = kg_model_find(kg_editor_model(e), e->surfaces.items[i].id);
-        kg_hit hit;
-        if (!p || p->hidden || !kg_surface_hit(&e->surfaces.items[i], origin, direction, &hit))
-            continue;
-        count = kg_hits_keep(out_hits, count, most, &hit, sizeof hit);
-    }
-    return count;
-}
-
 /* ---- files ------------------------------------------------------------------------------ */
 
 void kg_editor_load_reference(kg_editor *e) {

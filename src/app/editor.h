@@ -182,8 +182,8 @@ bool kg_editor_shows_points(const kg_editor *editor, int64_t patch);
 /* Bounds of what is selected, or of everything. */
 kg_box3 kg_editor_box(const kg_editor *editor, bool selection);
 
-/* The patches under a pixel, the nearest first; returns how many, at most `most`. Hidden ones do
- * not count. */
+/* The patches under a pixel, the nearest first; after these the ones whose outline passes close by,
+ * as that of a sheet seen edge-on. Returns how many, at most `most`. Hidden ones do not count. */
 size_t kg_editor_hits(const kg_editor *editor, kg_vec2 px, kg_hit *out_hits, size_t most);
 
 /* ---- tools ------------------------------------------------------------------------------ */

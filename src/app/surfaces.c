@@ -87,10 +87,6 @@ bool kg_surface_hit(const kg_patch_surface *surface, kg_vec3 origin, kg_vec3 dir
                 continue;
             best = (kg_hit){.patch = surface->id, .piece = i, .distance = t};
             best.point = kg_madd(origin, t, direction);
-            best.normal = kg_unit(
-                kg_cross(kg_sub(b->position, a->position), kg_sub(c->position, a->position)));
-            best.u = a->u + s * (b->u - a->u) + r * (c->u - a->u);
-            best.v = a->v + s * (b->v - a->v) + r * (c->v - a->v);
         }
     }
     if (!isfinite(best.distance))

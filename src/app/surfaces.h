@@ -26,8 +26,7 @@ typedef struct kg_hit {
     double distance; /* mm from the ray's origin; first, see kg_hits_keep */
     int64_t patch;
     size_t piece;
-    kg_vec3 point, normal;
-    double u, v;
+    kg_vec3 point;
 } kg_hit;
 
 /* Follows a solution. KG_ERR_MEMORY leaves out what there was no room for. */
