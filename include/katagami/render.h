@@ -32,6 +32,10 @@ KG_API kg_color kg_palette(size_t i);
 /* From linear light, as meshes and glTF hold it. */
 KG_API kg_color kg_color_from_linear(const float rgba[4]);
 
+/* 0xrrggbb, as nets and sheets hold them, opaque; and back. */
+KG_API kg_color kg_color_from_rgb(uint32_t rgb);
+KG_API uint32_t kg_color_to_rgb(kg_color color);
+
 /* ---- camera ----------------------------------------------------------------------------- */
 
 /* The six views and an oblique one. World z is up: the front view looks along +y, the right view

@@ -6,6 +6,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { PICTURE_SAMPLES = 2 };
 
@@ -20,17 +21,14 @@ struct kg_scenery {
 /* ---- colours ---------------------------------------------------------------------------- */
 
 bool kg_color_parse(const char *text, kg_color *out_color) {
-    unsigned r, g, b;
-    char rest;
-    if (!text || sscanf(text, "#%2x%2x%2x%c", &r, &g, &b, &rest) != 3)
+    if (!text || text[0] != '#' || strspn(text + 1, "0123456789abcdefABCDEF") != 6 || text[7])
         return false;
-    *out_color = (kg_color){(float)r / 255, (float)g / 255, (float)b / 255, 1};
+    *out_color = kg_color_from_rgb((uint32_t)strtoul(text + 1, NULL, 16));
     return true;
 }
 
 void kg_color_print(kg_color c, char out[8]) {
-    snprintf(out, 8, "#%02x%02x%02x", (unsigned)lroundf(c.r * 255) & 255u,
-             (unsigned)lroundf(c.g * 255) & 255u, (unsigned)lroundf(c.b * 255) & 255u);
+    snprintf(out, 8, "#%06x", (unsigned)kg_color_to_rgb(c));
 }
 
 kg_color kg_patch_color(const kg_model_patch *patch, size_t index) {

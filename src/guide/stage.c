@@ -21,11 +21,6 @@ struct kg_stage {
     size_t item_count;
 };
 
-kg_color kg_stage_color(uint32_t rgb) {
-    return (kg_color){(float)(rgb >> 16 & 255) / 255, (float)(rgb >> 8 & 255) / 255,
-                      (float)(rgb & 255) / 255, 1};
-}
-
 /* ---- shapes ----------------------------------------------------------------------------- */
 
 static kg_status join_shape(const kg_assembly_join *join, kg_vec3 offset, kg_shape **out,
@@ -148,11 +143,11 @@ static kg_status add_part(kg_stage *s, const kg_view_of *view, size_t i, kg_stag
         edges = moved[1];
     }
     kg_style style = kg_style_default(look == KG_LOOK_COLORS ? kg_palette(i)
-                                      : new                  ? kg_stage_color(KG_STAGE_NEW)
-                                                             : kg_stage_color(KG_STAGE_STANDING));
+                                      : new                  ? kg_color_from_rgb(KG_STAGE_NEW)
+                                            : kg_color_from_rgb(KG_STAGE_STANDING));
     if (look == KG_LOOK_STEP)
-        style.back = kg_stage_color(new ? KG_STAGE_NEW_BACK : KG_STAGE_STANDING_BACK);
-    kg_style line = kg_style_default(kg_stage_color(new ? 0x40300au : 0x4a525au));
+        style.back = kg_color_from_rgb(new ? KG_STAGE_NEW_BACK : KG_STAGE_STANDING_BACK);
+    kg_style line = kg_style_default(kg_color_from_rgb(new ? 0x40300au : 0x4a525au));
     line.size_px = 1.6F;
     add_item(s, surface, style);
     add_item(s, edges, line);
@@ -160,7 +155,7 @@ static kg_status add_part(kg_stage *s, const kg_view_of *view, size_t i, kg_stag
 }
 
 static kg_status add_join(kg_stage *s, const kg_view_of *view, int join, kg_error *error) {
-    kg_style style = kg_style_default(kg_stage_color(KG_STAGE_JOIN));
+    kg_style style = kg_style_default(kg_color_from_rgb(KG_STAGE_JOIN));
     style.size_px = 5;
     style.hidden = 0.35F;
     add_item(s, s->joins[join], style);

@@ -11,8 +11,6 @@
 #define KG_STAGE_NEW_BACK 0xe6d6a2
 #define KG_STAGE_JOIN 0xc2185b
 
-kg_color kg_stage_color(uint32_t rgb);
-
 typedef struct kg_stage kg_stage;
 
 /* Starts OpenGL. KG_ERR_SYSTEM when the machine has none. */

@@ -247,13 +247,12 @@ kg_status kg_origami_fold(kg_origami *o, const kg_fold *fold, kg_error *error) {
     kg_status status = kg_state_fold(o->states.items[o->step], &copy, &s, error);
     if (status)
         return status;
-    json_incref(copy.json);
-    cut_folds(o, o->step);
     if (!kg_reserve(&o->folds, o->step + 1) || !kg_reserve(&o->states, o->step + 2)) {
         kg_state_destroy(s);
-        json_decref(copy.json);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
+    json_incref(copy.json);
+    cut_folds(o, o->step);
     o->folds.items[o->folds.count++] = copy;
     o->states.items[o->states.count++] = s;
     o->step++;

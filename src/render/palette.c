@@ -29,3 +29,17 @@ kg_color kg_color_from_linear(const float rgba[4]) {
                   kg_srgb_of_linear(rgba[2]), fminf(fmaxf(rgba[3], 0), 1)};
     return c;
 }
+
+kg_color kg_color_from_rgb(uint32_t rgb) {
+    kg_color c = {(float)(rgb >> 16 & 255) / 255, (float)(rgb >> 8 & 255) / 255,
+                  (float)(rgb & 255) / 255, 1};
+    return c;
+}
+
+static uint32_t byte_of(float x) {
+    return (uint32_t)lroundf(255 * fminf(fmaxf(x, 0), 1));
+}
+
+uint32_t kg_color_to_rgb(kg_color c) {
+    return byte_of(c.r) << 16 | byte_of(c.g) << 8 | byte_of(c.b);
+}

@@ -1,5 +1,6 @@
 #include "app/commands/arguments.h"
 
+#include "app/scenery.h"
 #include "app/text.h"
 
 #include <stdlib.h>
@@ -64,6 +65,19 @@ kg_status kg_argument_text(const json_t *arguments, const char *name, const char
     if (!json_is_string(x))
         return wrong(name, N_("a text"), error);
     *value = json_string_value(x);
+    return KG_OK;
+}
+
+kg_status kg_argument_color(const json_t *arguments, const char *name, uint32_t *value,
+                            kg_error *error) {
+    const char *text = NULL;
+    kg_color color;
+    kg_status status = kg_argument_text(arguments, name, &text, error);
+    if (status || !text)
+        return status;
+    if (!kg_color_parse(text, &color))
+        return wrong(name, N_("a colour, \"#rrggbb\""), error);
+    *value = kg_color_to_rgb(color);
     return KG_OK;
 }
 

@@ -22,6 +22,9 @@ kg_status kg_argument_text(const json_t *arguments, const char *name, const char
                            kg_error *error) KG_CHECKED;
 kg_status kg_argument_vec3(const json_t *arguments, const char *name, kg_vec3 *value,
                            kg_error *error) KG_CHECKED;
+/* "#rrggbb", as 0xrrggbb. */
+kg_status kg_argument_color(const json_t *arguments, const char *name, uint32_t *value,
+                            kg_error *error) KG_CHECKED;
 /* Rows of `width` numbers; the array is malloc's. */
 kg_status kg_argument_rows(const json_t *arguments, const char *name, size_t width,
                            double **out_numbers, size_t *out_count, kg_error *error) KG_CHECKED;

@@ -115,7 +115,7 @@ static kg_status take(kg_editor *e, const json_t *a, kg_error *error) {
             below.z--;
         kg_spot found = s->level && below.z >= 0 ? below : behind.y >= 0 ? behind : below;
         if (!kg_card_has(oa, found))
-            return kg_fail(error, KG_ERR_INPUT, "%s", _("There is nothing to remove here."));
+            return kg_fail(error, KG_ERR_INPUT, "There is nothing to remove here.");
         s->cursor = found;
         box = (kg_spots){found, found};
     }

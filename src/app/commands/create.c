@@ -7,8 +7,6 @@
 #include "app/scenery.h"
 #include "app/text.h"
 
-#include <string.h>
-
 /* A card to build by hand: as many cells as can be seen, 120 mm wide. */
 #define CARD_CELLS 12
 #define CARD_CELL_MM 10.0
@@ -37,19 +35,6 @@ static kg_status read_size(const json_t *a, int size[3], kg_error *error) {
         if (size[i] < 1 || size[i] > KG_OA_MAX_SIZE)
             return kg_fail(error, KG_ERR_INPUT, "\"size\" has to be 1 to %d cells a side",
                            KG_OA_MAX_SIZE);
-    return KG_OK;
-}
-
-static kg_status read_color(const json_t *a, const char *name, uint32_t *out, kg_error *error) {
-    const char *text = NULL;
-    kg_color color;
-    kg_status status = kg_argument_text(a, name, &text, error);
-    if (status || !text)
-        return status;
-    if (!kg_color_parse(text, &color))
-        return kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be a colour, \"#rrggbb\"", name);
-    *out = (uint32_t)lroundf(255 * color.r) << 16 | (uint32_t)lroundf(255 * color.g) << 8 |
-           (uint32_t)lroundf(255 * color.b);
     return KG_OK;
 }
 
@@ -139,9 +124,9 @@ static kg_status new_sheets(kg_editor *e, const json_t *a, kg_error *error) {
     }
     kg_status status = read_sheet_size(a, &size, error);
     if (!status)
-        status = read_color(a, "front", &front, error);
+        status = kg_argument_color(a, "front", &front, error);
     if (!status)
-        status = read_color(a, "back", &back, error);
+        status = kg_argument_color(a, "back", &back, error);
     if (!status)
         status = kg_document_new_sheet(size, front, back, &document, error);
     return status ? status : kg_create_take(e, document, false, error);

@@ -56,7 +56,7 @@ static kg_status unpin(kg_editor *e, const json_t *a, kg_error *error) {
     size_t piece = KG_PIN_ALL;
     kg_status status = KG_OK;
     if (!has_pins(e))
-        return kg_fail(error, KG_ERR_INPUT, "%s", _("no part is pinned"));
+        return kg_fail(error, KG_ERR_INPUT, "no part is pinned");
     if (json_object_get(a, "piece"))
         piece = 0;
     status = kg_argument_id(a, "patch", &patch, error);

@@ -71,7 +71,7 @@ static bool has_reference(const kg_editor *e) {
 static kg_status toggle_reference(kg_editor *e, const json_t *a, kg_error *error) {
     (void)a;
     if (!has_reference(e))
-        return kg_fail(error, KG_ERR_INPUT, "%s", _("there is no reference"));
+        return kg_fail(error, KG_ERR_INPUT, "there is no reference");
     kg_status status = kg_editor_begin(e, N_("Show or hide reference"), error);
     if (status)
         return status;

@@ -12,8 +12,6 @@
 /* Of sheets that are added without other wishes. */
 #define DEFAULT_SIZE 150
 
-static const uint32_t default_front = 0xcc3333, default_back = 0xffffff;
-
 static const char *const shape_names[KG_SHEET_SHAPE_COUNT] = {"square", "rectangle", "a4",
                                                               "triangle", "polygon"};
 
@@ -24,24 +22,12 @@ static kg_status read_sheet(const kg_editor *e, const json_t *a, size_t *out, kg
     int64_t number = kg_sheets_of(e)->sheet + 1;
     kg_status status = kg_argument_id(a, "sheet", &number, error);
     if (!status && number == 0 && !json_object_get(a, "sheet"))
-        status = kg_fail(error, KG_ERR_INPUT, "%s", _("select a sheet first"));
+        status = kg_fail(error, KG_ERR_INPUT, "select a sheet first");
     if (!status && (number < 1 || (size_t)number > kg_sheets_count(kg_sheets_of(e))))
-        status = kg_fail(error, KG_ERR_INPUT, N_("there is no sheet %zu"), (size_t)llabs(number));
+        status = kg_fail(error, KG_ERR_INPUT, "there is no sheet %lld", (long long)number);
     if (!status)
         *out = (size_t)number - 1;
     return status;
-}
-
-static kg_status read_color(const json_t *a, const char *name, uint32_t *color, kg_error *error) {
-    const char *text = NULL;
-    kg_color parsed;
-    kg_status status = kg_argument_text(a, name, &text, error);
-    if (status || !text)
-        return status;
-    if (strlen(text) != 7 || !kg_color_parse(text, &parsed))
-        return kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be a colour \"#rrggbb\""), name);
-    *color = (uint32_t)strtoul(text + 1, NULL, 16);
-    return KG_OK;
 }
 
 /* [x, y] */
@@ -51,7 +37,7 @@ static kg_status read_vec2(const json_t *a, const char *name, kg_vec2 *value, kg
         return KG_OK;
     if (json_array_size(x) != 2 || !json_is_number(json_array_get(x, 0)) ||
         !json_is_number(json_array_get(x, 1)))
-        return kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be [x, y]"), name);
+        return kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be [x, y]", name);
     *value =
         kg_v2(json_number_value(json_array_get(x, 0)), json_number_value(json_array_get(x, 1)));
     return KG_OK;
@@ -78,7 +64,7 @@ static kg_status read_size(const json_t *a, kg_sheet_size *size, kg_error *error
             return KG_OK;
         }
     return kg_fail(error, KG_ERR_INPUT,
-                   N_("\"%s\" is none of square, rectangle, a4, triangle and polygon"), shape);
+                   "\"%s\" is none of square, rectangle, a4, triangle and polygon", shape);
 }
 
 /* Corners of a sheet as its arguments want it; malloc's. */
@@ -119,12 +105,12 @@ static kg_status add(kg_editor *e, const json_t *a, kg_error *error) {
     size_t count = 0;
     /* a polygon says itself where it lies */
     bool placed = json_object_get(a, "at") || json_object_get(a, "polygon");
-    uint32_t front = default_front, back = default_back;
+    uint32_t front = KG_SHEET_FRONT, back = KG_SHEET_BACK;
     kg_status status = read_vec2(a, "at", &at, error);
     if (!status)
-        status = read_color(a, "front", &front, error);
+        status = kg_argument_color(a, "front", &front, error);
     if (!status)
-        status = read_color(a, "back", &back, error);
+        status = kg_argument_color(a, "back", &back, error);
     if (!status)
         status = read_corners(a, &corners, &count, error);
     if (!status && !(status = kg_editor_begin(e, N_("Add sheet"), error)))
@@ -221,9 +207,9 @@ static kg_status color(kg_editor *e, const json_t *a, kg_error *error) {
     if (status)
         return status;
     kg_origami_colours(o, (int32_t)index, &front, &back);
-    status = read_color(a, "front", &front, error);
+    status = kg_argument_color(a, "front", &front, error);
     if (!status)
-        status = read_color(a, "back", &back, error);
+        status = kg_argument_color(a, "back", &back, error);
     if (!status)
         status = kg_editor_begin(e, N_("Colour"), error);
     if (status)
@@ -241,9 +227,9 @@ static kg_status reorder(kg_editor *e, const json_t *a, int by, kg_error *error)
     to = index + (size_t)by + 1;
     status = kg_argument_index(a, "to", &to, error);
     if (!status && to == 0)
-        status = kg_fail(error, KG_ERR_INPUT, "%s", _("it is the lowest sheet"));
+        status = kg_fail(error, KG_ERR_INPUT, "it is the lowest sheet");
     if (!status && to > kg_sheets_count(kg_sheets_of(e)))
-        status = kg_fail(error, KG_ERR_INPUT, "%s", _("it is the topmost sheet"));
+        status = kg_fail(error, KG_ERR_INPUT, "it is the topmost sheet");
     if (!status)
         status = kg_editor_begin(e, N_("Order of sheets"), error);
     if (!status && !(status = kg_editor_finish(e, kg_sheets_reorder(e, index, to - 1, error))))

@@ -17,7 +17,7 @@ static kg_status go(kg_editor *e, const json_t *a, kg_error *error) {
     double step = shown(e);
     kg_status status = kg_argument_number(a, "step", &step, error);
     if (!status && !(step >= 0 && step <= last(e)))
-        status = kg_fail(error, KG_ERR_INPUT, N_("there are %.0f steps"), last(e));
+        status = kg_fail(error, KG_ERR_INPUT, "there are %.0f steps", last(e));
     if (!status)
         kg_sheets_show(e, step);
     return status;
@@ -71,7 +71,7 @@ static kg_status xray(kg_editor *e, const json_t *a, kg_error *error) {
     double opacity = s->opacity < 1 ? 1 : 0.5;
     kg_status status = kg_argument_number(a, "opacity", &opacity, error);
     if (!status && !(opacity >= 0 && opacity <= 1))
-        status = kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be from 0 to 1"), "opacity");
+        status = kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be from 0 to 1", "opacity");
     if (!status)
         s->opacity = opacity;
     return status;
@@ -82,7 +82,7 @@ static kg_status spread(kg_editor *e, const json_t *a, kg_error *error) {
     double by = s->spread > 0 ? 0 : 0.5;
     kg_status status = kg_argument_number(a, "by", &by, error);
     if (!status && !(by >= 0 && by <= 1))
-        status = kg_fail(error, KG_ERR_INPUT, N_("\"%s\" has to be from 0 to 1"), "by");
+        status = kg_fail(error, KG_ERR_INPUT, "\"%s\" has to be from 0 to 1", "by");
     if (status)
         return status;
     s->spread = by;
@@ -97,7 +97,7 @@ static kg_status read_fold(const kg_editor *e, const json_t *a, size_t *out, kg_
     size_t step = (size_t)ceil(shown(e)), done = kg_origami_step(kg_editor_origami(e));
     kg_status status = kg_argument_index(a, "step", &step, error);
     if (!status && (step < 1 || step > done))
-        status = kg_fail(error, KG_ERR_INPUT, N_("there is no fold %zu: %zu are done"), step, done);
+        status = kg_fail(error, KG_ERR_INPUT, "there is no fold %zu: %zu are done", step, done);
     *out = step - 1;
     return status;
 }

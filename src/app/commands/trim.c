@@ -211,7 +211,7 @@ static kg_status set_fields(kg_trim_op *op, const json_t *a, kg_error *error) {
         status = kg_argument_bool(a, "outside", &changed.outside, error);
     bool of_cutters = changed.bounded || changed.trim_cutters;
     if (!status && op->kind == KG_TRIM_CONTOUR && of_cutters)
-        status = kg_fail(error, KG_ERR_INPUT, "%s", _("a contour has no cutters"));
+        status = kg_fail(error, KG_ERR_INPUT, "a contour has no cutters");
     if (!status && json_object_get(a, "keep"))
         status = read_keep(a, &changed, error);
     if (!status)

@@ -35,7 +35,7 @@ kg_status kg_sheet_corners(const kg_sheet_size *size, kg_vec2 out[KG_SHEET_MOST_
                    : size->shape == KG_SHEET_POLYGON ? (size_t)size->sides
                                                      : 4;
     if (sides < 3 || sides > KG_SHEET_MOST_SIDES)
-        return kg_fail(error, KG_ERR_INPUT, N_("a polygon has 3 to %d sides"), KG_SHEET_MOST_SIDES);
+        return kg_fail(error, KG_ERR_INPUT, "a polygon has 3 to %d sides", KG_SHEET_MOST_SIDES);
     if (size->shape == KG_SHEET_A4)
         w = a4[0], h = a4[1];
     const kg_vec2 box[] = {{-w / 2, -h / 2}, {w / 2, -h / 2}, {w / 2, h / 2}, {-w / 2, h / 2}};
@@ -90,7 +90,7 @@ kg_status kg_sheets_place(kg_editor *e, size_t index, const kg_paper_sheet *from
                           double angle, kg_vec2 by, kg_error *error) {
     kg_origami *o = kg_editor_origami(e);
     if (index >= kg_origami_sheet_count(o))
-        return kg_fail(error, KG_ERR_INPUT, N_("there is no sheet %zu"), index + 1);
+        return kg_fail(error, KG_ERR_INPUT, "there is no sheet %zu", index + 1);
     const kg_paper_sheet *sheet = from ? from : kg_origami_sheet(o, index);
     kg_vec2 *corners = calloc(sheet->count + 1, sizeof *corners);
     if (!corners)
@@ -112,7 +112,7 @@ kg_status kg_sheets_reorder(kg_editor *e, size_t sheet, size_t to, kg_error *err
     kg_origami *o = kg_editor_origami(e);
     size_t count = kg_origami_sheet_count(o);
     if (sheet >= count || to >= count)
-        return kg_fail(error, KG_ERR_INPUT, N_("there is no sheet %zu"),
+        return kg_fail(error, KG_ERR_INPUT, "there is no sheet %zu",
                        (sheet >= count ? sheet : to) + 1);
     kg_origami *was = kg_origami_copy(o);
     kg_status status = was ? KG_OK : kg_fail(error, KG_ERR_MEMORY, "out of memory");
@@ -139,7 +139,7 @@ kg_status kg_sheets_refold(kg_editor *e, size_t index, const kg_fold *fold, kg_e
     kg_origami *o = kg_editor_origami(e);
     size_t done = kg_origami_step(o);
     if (index >= done)
-        return kg_fail(error, KG_ERR_INPUT, N_("there is no fold %zu that is done"), index + 1);
+        return kg_fail(error, KG_ERR_INPUT, "there is no fold %zu that is done", index + 1);
     kg_origami *was = kg_origami_copy(o);
     if (!was)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
@@ -149,7 +149,7 @@ kg_status kg_sheets_refold(kg_editor *e, size_t index, const kg_fold *fold, kg_e
     for (size_t i = index + 1; i < done && !status; i++) {
         status = kg_origami_fold(o, kg_origami_fold_at(was, i), error);
         if (status == KG_ERR_INPUT)
-            kg_fail_in(error, status, N_("fold %zu cannot be done then: "), i + 1);
+            kg_fail_in(error, status, "fold %zu cannot be done then: ", i + 1);
     }
     kg_origami_destroy(was);
     kg_editor_touch(e);

@@ -83,11 +83,6 @@ static void show_lines(mesh *m, kg_overlay *o, kg_style style) {
 
 /* ---- paper ------------------------------------------------------------------------------- */
 
-static kg_color color_of(uint32_t rgb, double opacity) {
-    return (kg_color){(float)(rgb >> 16 & 255) / 255, (float)(rgb >> 8 & 255) / 255,
-                      (float)(rgb & 255) / 255, (float)opacity};
-}
-
 static int32_t next_half(const kg_sheets *s, int32_t half) {
     return s->state->halves.items[half].next;
 }
@@ -151,8 +146,9 @@ static void show_paper(const kg_sheets *s, int32_t sheet, paint wanted, kg_overl
         if (s->state->loops.items[i].sheet == sheet && paint_of(s, i) == wanted)
             add_loop(&m, s, i);
     kg_origami_colours(s->origami, sheet, &front, &back);
-    kg_style style = kg_style_default(color_of(front, s->opacity));
-    style.back = color_of(back, 1);
+    kg_style style = kg_style_default(kg_color_from_rgb(front));
+    style.color.a = (float)s->opacity;
+    style.back = kg_color_from_rgb(back);
     if (wanted == PAINT_HOVERED)
         style.highlight = (kg_color){hover.r, hover.g, hover.b, 0.2F};
     if (wanted == PAINT_MARKED)

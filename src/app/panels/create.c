@@ -25,11 +25,10 @@ kg_creation kg_creation_default(void) {
     kg_oa_options conversion = kg_oa_options_default();
     conversion.cell_mm =
         kg_document_card_cell((int[]){conversion.width, conversion.depth, conversion.height});
-    return (kg_creation){usual_cards[0],
-                         {usual_sheets[0],
-                          {0.8F, 0.2F, 0.2F, 1}, /* the kernel's own, KG_SHEET_FRONT */
-                          {1, 1, 1, 1}},
-                         conversion};
+    return (kg_creation){
+        usual_cards[0],
+        {usual_sheets[0], kg_color_from_rgb(KG_SHEET_FRONT), kg_color_from_rgb(KG_SHEET_BACK)},
+        conversion};
 }
 
 /* ---- the sketch: the sheet on the paper it fits ------------------------------------------- */

@@ -52,11 +52,6 @@ static pen pen_of_moved(const kg_net_view *view, kg_polyline *line) {
     return (pen){view, c, s, kg_sub2(at, turned), line, NULL};
 }
 
-static kg_color color_of(uint32_t rgb) {
-    return (kg_color){(float)(rgb >> 16 & 255) / 255, (float)(rgb >> 8 & 255) / 255,
-                      (float)(rgb & 255) / 255, 1};
-}
-
 /* ---- strokes ---------------------------------------------------------------------------- */
 
 static void draw_dashed(const kg_polyline *line, const double *dashes, int count, double unit,
@@ -303,13 +298,13 @@ static void draw_page(const kg_net_view *v, int page, kg_polyline *line) {
         const kg_stroke *stroke = &content->strokes.items[i];
         bool goes_along = moved && stroke->part == moved;
         draw_stroke(goes_along ? &moving : &still, stroke,
-                    color_of(p->drawing->styles[stroke->layer].colour));
+                    kg_color_from_rgb(p->drawing->styles[stroke->layer].colour));
     }
     for (size_t i = 0; i < content->captions.count; i++) {
         const kg_caption *caption = &content->captions.items[i];
         bool goes_along = moved && caption->part == moved;
         draw_caption(goes_along ? &moving : &still, caption,
-                     color_of(p->drawing->styles[caption->layer].colour));
+                     kg_color_from_rgb(p->drawing->styles[caption->layer].colour));
     }
 }
 

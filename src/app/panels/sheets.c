@@ -9,27 +9,17 @@
 
 /* ---- rows -------------------------------------------------------------------------------- */
 
-static kg_color from_rgb(uint32_t rgb) {
-    return (kg_color){(float)(rgb >> 16 & 255) / 255, (float)(rgb >> 8 & 255) / 255,
-                      (float)(rgb & 255) / 255, 1};
-}
-
-static uint32_t to_rgb(kg_color c) {
-    return ((uint32_t)lroundf(c.r * 255) & 255u) << 16 |
-           ((uint32_t)lroundf(c.g * 255) & 255u) << 8 | ((uint32_t)lroundf(c.b * 255) & 255u);
-}
-
 /* The colour follows the picker live; letting go ends the step. */
 static void color_cell(kg_editor *e, size_t sheet, bool is_front) {
     kg_origami *o = kg_editor_origami(e);
     uint32_t sides[2];
     kg_error error;
     kg_origami_colours(o, (int32_t)sheet, &sides[0], &sides[1]);
-    kg_color color = from_rgb(sides[!is_front]);
+    kg_color color = kg_color_from_rgb(sides[!is_front]);
     unsigned result = kg_ui_color_field(is_front ? "##front" : "##back", &color);
     kg_ui_tooltip(is_front ? _("Front") : _("Back"));
     if (result & KG_FIELD_CHANGED && !kg_editor_begin(e, N_("Colour"), &error)) {
-        sides[!is_front] = to_rgb(color);
+        sides[!is_front] = kg_color_to_rgb(color);
         if (kg_origami_set_colours(o, sheet, sides[0], sides[1], &error))
             kg_editor_say(e, KG_FAULT, "%s", error.message);
         kg_editor_touch(e);

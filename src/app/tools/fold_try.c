@@ -263,7 +263,7 @@ kg_status kg_fold_add(kg_editor *e, const kg_fold *fold, kg_error *error) {
 kg_status kg_fold_done(kg_editor *e, kg_error *error) {
     kg_fold_tool *t = kg_fold_tool_of(e);
     if (!t || !t->given)
-        return kg_fail(error, KG_ERR_INPUT, "%s", _("No fold is being made"));
+        return kg_fail(error, KG_ERR_INPUT, "No fold is being made");
     if (!kg_sheets_can_fold(e))
         return kg_fail(error, KG_ERR_INPUT, "%s", kg_sheets_why_not(e));
     if (t->refused) {

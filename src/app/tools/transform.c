@@ -294,7 +294,7 @@ static const char *hint_now(const kg_editor *e) {
 kg_status kg_tool_start_transform(kg_editor *e, kg_transform_kind kind, kg_error *error) {
     static const char *const labels[] = {N_("Move"), N_("Rotate"), N_("Scale")};
     if (e->selection.patches.count == 0)
-        return kg_fail(error, KG_ERR_INPUT, "%s", _("select a patch first"));
+        return kg_fail(error, KG_ERR_INPUT, "select a patch first");
     state *s = calloc(1, sizeof *s);
     if (!s)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");

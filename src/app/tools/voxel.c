@@ -152,11 +152,11 @@ static void faces_to(kg_editor *e, state *s, kg_vec2 px) {
 static kg_status start_pull(kg_editor *e, state *s, kg_error *error) {
     kg_oa_hit hit;
     if (!kg_voxel_hit(e, s->pressed, &hit))
-        return kg_fail(error, KG_ERR_INPUT, "%s", _("Pull at the paper."));
+        return kg_fail(error, KG_ERR_INPUT, "Pull at the paper.");
     kg_oa_voxel v = hit.voxel;
     kg_spot spot = {v.x, v.y < 0 ? 0 : v.y, v.z < 0 ? 0 : v.z};
     if (!kg_card_has(kg_editor_oa(e), spot))
-        return kg_fail(error, KG_ERR_INPUT, "%s", _("There is no block here."));
+        return kg_fail(error, KG_ERR_INPUT, "There is no block here.");
     kg_status status = kg_pulled_create(e, spot, v.top, &s->pulled, error);
     if (status)
         return status;
