@@ -151,9 +151,14 @@ static kg_vec2 seen(const kg_diagram *d, kg_vec3 p) {
     return kg_v2(kg_dot(d->right, p), kg_dot(d->up, p));
 }
 
-/* Where the moving part is held: the corner that is folded, or the middle of the edge that is
- * farthest from the line. */
-static kg_vec3 held_point(const plan *p, const kg_fold *fold, bool *out_edge) {
+/* Where the moving part is held: the corner that is folded, or the edge that is farthest from the
+ * line, by its middle. */
+typedef struct grip {
+    kg_vec3 point, ends[2];
+    bool edge;
+} grip;
+
+static grip find_grip(const plan *p, const kg_fold *fold) {
     const kg_origami_state *s = p->moment.topology;
     const kg_vec3 *q = p->moment.positions;
     double most = 0, lo = INFINITY, hi = -INFINITY;
@@ -172,11 +177,11 @@ static kg_vec3 held_point(const plan *p, const kg_fold *fold, bool *out_edge) {
             if (t > hi)
                 hi = t, last = q[v];
         }
-    *out_edge = hi - lo > KG_PICK * s->size;
-    for (size_t v = 0; v < p->moment.layers->vertices.count && !fold->by_axis && !*out_edge; v++)
+    grip g = {kg_lerp(first, last, 0.5), {first, last}, hi - lo > KG_PICK * s->size};
+    for (size_t v = 0; v < p->moment.layers->vertices.count && !fold->by_axis && !g.edge; v++)
         if (kg_dist(q[v], fold->points[0]) < KG_PICK * s->size)
-            return q[v];
-    return kg_lerp(first, last, 0.5);
+            g.point = g.ends[0] = g.ends[1] = q[v];
+    return g;
 }
 
 static bool lies_in(const plan *p, size_t loop, kg_vec2 at) {
@@ -295,12 +300,12 @@ static void add_measure(kg_diagram *d, const kg_moment *moment, kg_vec3 corner, 
     d->measures[d->measure_count++] = m;
 }
 
-/* The ends of the line, seen; those on an edge are measured. */
-static void find_line(kg_diagram *d, const plan *p, bool measured) {
+/* The ends of the line. */
+static void find_line(kg_diagram *d, const plan *p, kg_vec3 ends[2]) {
     const kg_moment *m = &p->moment;
     const kg_origami_state *s = m->topology;
     double lo = INFINITY, hi = -INFINITY;
-    kg_vec3 ends[2] = {p->axis.origin, p->axis.origin}, corner;
+    ends[0] = ends[1] = p->axis.origin;
     for (size_t e = 0; e < s->edges.count; e++) {
         int32_t x = s->halves.items[2 * e].loop, y = s->halves.items[2 * e + 1].loop;
         if (x < 0 || y < 0 || m->moves[x] == m->moves[y])
@@ -314,27 +319,65 @@ static void find_line(kg_diagram *d, const plan *p, bool measured) {
                 hi = t, ends[1] = a;
         }
     }
-    for (int k = 0; k < 2; k++) {
-        d->axis[k] = seen(d, ends[k]);
-        if (measured && place_of(m->layers, ends[k], &corner) == KG_GOAL_EDGE)
-            add_measure(d, m, corner, ends[k]);
-    }
+    d->axis[0] = seen(d, ends[0]);
+    d->axis[1] = seen(d, ends[1]);
 }
 
-static void find_goal(kg_diagram *d, const plan *p, const kg_fold *fold) {
-    kg_vec3 corner;
-    if (fold->by_axis)
-        return;
-    d->goal = place_of(p->moment.layers, fold->points[1], &corner);
-    if (d->edge && d->goal != KG_GOAL_CORNER) {
-        d->goal = KG_GOAL_NONE; /* the line is easier to find than the edge's goal */
-        find_line(d, p, true);
-        return;
+static bool begins_at(const kg_origami_state *s, size_t half, kg_vec3 point) {
+    return s->edges.items[half / 2].kind != KG_PAPER_JOIN &&
+           kg_dist(paper_edge(s, half / 2, (int)(half % 2)), point) < KG_PICK * s->size;
+}
+
+/* Does an edge that ends on the line, and moves, come to lie along another one that ends there? */
+static bool halves_angle(const plan *p, kg_vec3 point) {
+    const kg_origami_state *s = p->moment.layers;
+    double near = KG_PICK * s->size;
+    for (size_t k = 0; k < 2 * s->edges.count; k++) {
+        kg_vec3 far = paper_edge(s, k / 2, 1 - (int)(k % 2));
+        if (!begins_at(s, k, point) || kg_dot(kg_sub(far, point), p->axis.side) < near)
+            continue;
+        kg_vec3 way = kg_unit(kg_sub(kg_fold_turn(&p->axis, far, p->axis.angle), point));
+        for (size_t i = 0; i < 2 * s->edges.count; i++)
+            if (begins_at(s, i, point) &&
+                kg_dist(kg_unit(kg_sub(paper_edge(s, i / 2, 1 - (int)(i % 2)), point)), way) <
+                    KG_PICK)
+                return true;
     }
-    if (d->goal != KG_GOAL_CORNER)
-        d->marks[d->mark_count++] = seen(d, fold->points[1]);
-    if (d->goal == KG_GOAL_EDGE)
-        add_measure(d, &p->moment, corner, fold->points[1]);
+    return false;
+}
+
+/* Whether both ends of what is held come to lie on corners. */
+static bool meets_corners(const plan *p, const grip *held) {
+    kg_vec3 ignored;
+    for (int k = 0; k < 2; k++)
+        if (place_of(p->moment.layers, kg_fold_turn(&p->axis, held->ends[k], p->axis.angle),
+                     &ignored) != KG_GOAL_CORNER)
+            return false;
+    return true;
+}
+
+/* What a folder is told to aim at: corners and lines that are there already before lengths. */
+static void find_goal(kg_diagram *d, const plan *p, const kg_fold *fold, const grip *held,
+                      const kg_vec3 ends[2]) {
+    const kg_moment *m = &p->moment;
+    kg_vec3 corner, onto = fold->by_axis ? ends[0] : fold->points[1];
+    bool flat_fold = d->angle_deg == 180, through_corner = false;
+    for (int k = 0; k < 2; k++) {
+        through_corner |= place_of(m->layers, ends[k], &corner) == KG_GOAL_CORNER;
+        if (flat_fold && halves_angle(p, ends[k]))
+            d->goal = KG_GOAL_LINE;
+    }
+    if (flat_fold && meets_corners(p, held))
+        d->goal = KG_GOAL_CORNER;
+    else if (!fold->by_axis && !d->edge && d->goal != KG_GOAL_LINE)
+        d->goal = place_of(m->layers, onto, &corner);
+    if (d->goal == KG_GOAL_EDGE || d->goal == KG_GOAL_POINT)
+        d->marks[d->mark_count++] = seen(d, onto);
+    if (d->goal == KG_GOAL_EDGE && !through_corner)
+        add_measure(d, m, corner, onto);
+    for (int k = 0; k < 2 && d->goal == KG_GOAL_NONE; k++)
+        if (place_of(m->layers, ends[k], &corner) == KG_GOAL_EDGE)
+            add_measure(d, m, corner, ends[k]);
 }
 
 /* ---- arrows ----------------------------------------------------------------------------- */
@@ -363,15 +406,17 @@ static void fill(kg_diagram *d, const plan *p) {
     if (!p->folds)
         return;
     const kg_fold *fold = kg_origami_fold_at(d->origami, d->step);
-    kg_vec3 held = held_point(p, fold, &d->edge);
+    grip held = find_grip(p, fold);
+    kg_vec3 ends[2];
+    d->edge = held.edge;
     d->behind = goes_behind(p, d->back);
     d->angle_deg = fabs(fold->angle_deg);
     d->tucked = fold->between[0] >= 0;
-    count_layers(d, p, held);
+    count_layers(d, p, held.point);
     d->arrow = d->folds == 2 ? KG_ARROW_UNFOLD : d->behind ? KG_ARROW_MOUNTAIN : KG_ARROW_VALLEY;
-    find_line(d, p, fold->by_axis);
-    find_goal(d, p, fold);
-    find_path(d, p, held);
+    find_line(d, p, ends);
+    find_goal(d, p, fold, &held, ends);
+    find_path(d, p, held.point);
 }
 
 kg_status kg_diagrams_create(const kg_origami *o, kg_diagram **out_diagrams, size_t *out_count,

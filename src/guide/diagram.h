@@ -25,6 +25,7 @@ typedef struct kg_diagram_length {
 typedef enum kg_diagram_goal {
     KG_GOAL_NONE, /* told otherwise */
     KG_GOAL_CORNER,
+    KG_GOAL_LINE, /* an edge onto a line that it meets */
     KG_GOAL_EDGE,
     KG_GOAL_POINT
 } kg_diagram_goal;

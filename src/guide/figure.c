@@ -16,6 +16,9 @@
 #define FOLD_WIDTH 0.3
 /* How far beside a line its facet has to be seen. */
 #define BESIDE 0.8
+/* Parts of a line that are seen or not, each on its own; at most so many of one line. */
+#define PIECE 1.5
+#define MOST_PIECES 64
 static const double valley_dashes[] = {2.2, 1.3}, mountain_dashes[] = {3, 1, 0.25, 1, 0.25, 1};
 
 static kg_vec2 flat(kg_vec3 p) {
@@ -263,36 +266,42 @@ static int32_t seen_at(const kg_figure *f, size_t place, kg_vec2 p) {
 }
 
 /* A line to fold along that lies just under the edge of a higher layer would vanish there, although
- * the facet beside it is seen. It is painted again, at the height of that edge, on a strip of the
- * facet's colour. */
+ * the facet beside it is seen. Where it does, it is painted again, at the height of that edge, on a
+ * strip of the facet's colour. */
 static void repeat_fold(const kg_figure *f, cairo_t *cr, size_t place, size_t k, double scale,
                         kg_vec2 offset, kg_vec2 origin) {
     const kg_facet *a = &f->facets.items[f->order[place]];
     kg_side_look look = (kg_side_look)f->looks.items[a->first + k];
-    kg_vec2 p = flat(f->points.items[a->first + k]),
-            q = flat(f->points.items[a->first + (k + 1) % a->count]);
-    kg_vec2 side = kg_sub2(q, p), middle = kg_lerp2(p, q, 0.5);
+    kg_vec2 start = flat(f->points.items[a->first + k]),
+            end = flat(f->points.items[a->first + (k + 1) % a->count]);
+    kg_vec2 side = kg_sub2(end, start);
     double length = kg_len2(side);
     if ((look != KG_SIDE_VALLEY && look != KG_SIDE_MOUNTAIN) || !(length > 0))
         return;
     kg_vec2 in = kg_v2(-side.y / length, side.x / length);
-    int32_t top = seen_at(f, place, middle);
-    double lift = top < 0 ? 0 : depth(&f->facets.items[top], middle) - depth(a, middle);
-    kg_vec2 shift = kg_scale2(f->shear, fmax(lift, 0));
-    if (seen_at(f, place, kg_add2(middle, kg_scale2(in, BESIDE / scale + kg_len2(shift)))) !=
-        f->order[place])
-        return;
-    p = kg_add2(p, shift), q = kg_add2(q, shift);
-    p = kg_v2(offset.x + scale * p.x, offset.y - scale * p.y);
-    q = kg_v2(offset.x + scale * q.x, offset.y - scale * q.y);
-    set_colour(cr, a->colour);
-    cairo_set_dash(cr, NULL, 0, 0);
-    cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
-    cairo_set_line_width(cr, 2.5 * OUTLINE_WIDTH);
-    cairo_move_to(cr, p.x, p.y);
-    cairo_line_to(cr, q.x, q.y);
-    cairo_stroke(cr);
-    stroke_side(cr, look, p, q, origin);
+    int pieces = (int)fmin(fmax(length * scale / PIECE, 1), MOST_PIECES);
+    for (int i = 0; i < pieces; i++) {
+        kg_vec2 p = kg_lerp2(start, end, (double)i / pieces),
+                q = kg_lerp2(start, end, (i + 1.0) / pieces), middle = kg_lerp2(p, q, 0.5);
+        int32_t top = seen_at(f, place, middle);
+        double lift = top < 0 ? 0 : depth(&f->facets.items[top], middle) - depth(a, middle);
+        kg_vec2 shift = kg_scale2(f->shear, fmax(lift, 0));
+        if (top == f->order[place] ||
+            seen_at(f, place, kg_add2(middle, kg_scale2(in, BESIDE / scale + kg_len2(shift)))) !=
+                f->order[place])
+            continue;
+        p = kg_add2(p, shift), q = kg_add2(q, shift);
+        p = kg_v2(offset.x + scale * p.x, offset.y - scale * p.y);
+        q = kg_v2(offset.x + scale * q.x, offset.y - scale * q.y);
+        set_colour(cr, a->colour);
+        cairo_set_dash(cr, NULL, 0, 0);
+        cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
+        cairo_set_line_width(cr, 2.5 * OUTLINE_WIDTH);
+        cairo_move_to(cr, p.x, p.y);
+        cairo_line_to(cr, q.x, q.y);
+        cairo_stroke(cr);
+        stroke_side(cr, look, p, q, origin);
+    }
 }
 
 void kg_figure_paint(const kg_figure *f, cairo_t *cr, double scale, kg_vec2 offset,

@@ -1,6 +1,7 @@
 /* The pages of a folding sequence: pictures in two columns, the signs, the crease pattern. */
-#include "guide/diagram.h"
+#include "guide/dimension.h"
 #include "guide/guide.h"
+#include "net/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,26 +73,48 @@ static kg_vec2 placed(const frame *f, kg_vec2 p) {
     return kg_v2(f->offset.x + f->scale * p.x, f->offset.y - f->scale * p.y);
 }
 
-static void paint_measure(kg_guide *g, const kg_diagram_length *m, const frame *f) {
+static void paint_dimension(kg_guide *g, const kg_dimension *d, const char *text) {
     cairo_t *cr = g->paper->cr;
-    char text[KG_SENTENCE];
-    kg_vec2 out = kg_v2(m->outwards.x, -m->outwards.y), a = placed(f, m->from),
-            b = placed(f, m->to);
-    kg_vec2 from = kg_add2(a, kg_scale2(out, 2.4)), to = kg_add2(b, kg_scale2(out, 2.4));
     kg_book_colour(g->paper, KG_FAINT_INK);
     cairo_set_line_width(cr, 0.15);
+    kg_vec2 line[2];
     for (int k = 0; k < 2; k++) {
-        kg_vec2 start = kg_add2(k ? b : a, kg_scale2(out, 0.8)),
-                end = kg_add2(k ? b : a, kg_scale2(out, 3.2));
+        kg_vec2 start = kg_dimension_at(d, k, 0.8), end = kg_dimension_at(d, k, d->off + 0.8);
+        line[k] = kg_dimension_at(d, k, d->off);
         cairo_move_to(cr, start.x, start.y);
         cairo_line_to(cr, end.x, end.y);
     }
-    cairo_move_to(cr, from.x, from.y);
-    cairo_line_to(cr, to.x, to.y);
+    cairo_move_to(cr, line[0].x, line[0].y);
+    cairo_line_to(cr, line[1].x, line[1].y);
     cairo_stroke(cr);
-    kg_words(text, sizeof text, KG_WORD_LENGTH, round(10 * m->length) / 10);
-    kg_vec2 at = kg_add2(kg_lerp2(from, to, 0.5), kg_scale2(out, 2 + 6 * fabs(out.x)));
-    kg_book_text(g->paper, &small, at.x - 12, at.y - 2, 24, text);
+    /* readable where it has to lie on paper */
+    kg_vec2 span = kg_sub2(d->label.hi, d->label.lo);
+    cairo_rectangle(cr, d->label.lo.x, d->label.lo.y, span.x, span.y);
+    cairo_set_source_rgba(cr, 1, 1, 1, 0.85);
+    cairo_fill(cr);
+    kg_book_text(g->paper, &small, d->label.lo.x - 6, d->label.lo.y, span.x + 12, text);
+}
+
+/* All lengths that a picture needs, with as much room as the longest of their labels. */
+static void paint_dimensions(kg_guide *g, const kg_diagram *d, const frame *f, const kg_vec2 *arrow,
+                             size_t arrow_count) {
+    kg_diagram_length lengths[KG_DIAGRAM_MEASURES];
+    kg_dimension places[KG_DIAGRAM_MEASURES];
+    char text[KG_SENTENCE];
+    double width = 0;
+    for (size_t i = 0; i < d->measure_count; i++) {
+        const kg_diagram_length *m = &d->measures[i];
+        lengths[i] =
+            (kg_diagram_length){placed(f, m->from), placed(f, m->to),
+                                kg_v2(m->outwards.x, -m->outwards.y), round(10 * m->length) / 10};
+        kg_words(text, sizeof text, KG_WORD_LENGTH, lengths[i].length);
+        width = fmax(width, small.size * kg_text_width(text));
+    }
+    size_t count =
+        kg_dimensions_place(lengths, d->measure_count, arrow, arrow_count, width, places);
+    for (size_t i = 0; i < count; i++)
+        paint_dimension(g, &places[i],
+                        kg_words(text, sizeof text, KG_WORD_LENGTH, places[i].length));
 }
 
 static kg_status paint_picture(kg_guide *g, const kg_diagram *d, kg_vec2 at, double scale,
@@ -102,8 +125,6 @@ static kg_status paint_picture(kg_guide *g, const kg_diagram *d, kg_vec2 at, dou
         return status;
     kg_vec2 middle = kg_lerp2(d->box.lo, d->box.hi, 0.5), path[KG_ARROW_POINTS];
     frame f = {kg_v2(at.x - scale * middle.x, at.y + scale * middle.y), scale};
-    for (size_t i = 0; i < d->measure_count; i++)
-        paint_measure(g, &d->measures[i], &f);
     for (size_t i = 0; i < d->mark_count; i++) {
         kg_vec2 p = placed(&f, d->marks[i]);
         cairo_new_path(cr);
@@ -115,6 +136,7 @@ static kg_status paint_picture(kg_guide *g, const kg_diagram *d, kg_vec2 at, dou
     for (int i = 0; i < KG_ARROW_POINTS; i++)
         path[i] = placed(&f, d->path[i]);
     kg_arrow_paint(cr, d->arrow, d->tucked, path, KG_ARROW_POINTS);
+    paint_dimensions(g, d, &f, path, d->folds > 0 ? KG_ARROW_POINTS : 0);
     return KG_OK;
 }
 
@@ -134,6 +156,7 @@ static void describe(const kg_diagram *d, bool first, char *out, size_t size) {
     static const kg_word ways[][2] = {
         [KG_GOAL_NONE] = {KG_WORD_ALONG_LINE, KG_WORD_ALONG_LINE_BEHIND},
         [KG_GOAL_CORNER] = {KG_WORD_TO_CORNER, KG_WORD_TO_CORNER_BEHIND},
+        [KG_GOAL_LINE] = {KG_WORD_EDGE_TO_LINE, KG_WORD_EDGE_TO_LINE_BEHIND},
         [KG_GOAL_EDGE] = {KG_WORD_TO_EDGE, KG_WORD_TO_EDGE_BEHIND},
         [KG_GOAL_POINT] = {KG_WORD_TO_POINT, KG_WORD_TO_POINT_BEHIND}};
     char text[KG_SENTENCE];

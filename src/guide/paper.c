@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 /* mm on the page from one layer to the next, and of all layers together at most. */
-#define LAYER_GAP 0.4
-#define MOST_GAP 3.5
+#define LAYER_GAP 0.3
+#define MOST_GAP 1.6
 /* How a layer is shifted on the page, over its height: to the upper right. */
 static const kg_vec2 shear = {0.75, 0.9};
 

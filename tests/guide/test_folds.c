@@ -1,5 +1,5 @@
 /* Pictures of folding sequences. */
-#include "guide/diagram.h"
+#include "guide/dimension.h"
 #include "tests/check.h"
 
 #include <stdlib.h>
@@ -134,6 +134,80 @@ static void test_lengths_say_where_a_line_leaves_the_edges(void **user) {
     kg_origami_destroy(o);
 }
 
+static void fold_along(kg_origami *o, kg_vec3 a, kg_vec3 b, kg_vec3 vertex) {
+    kg_fold f = kg_fold_default();
+    kg_error error;
+    f.by_axis = true;
+    f.points[0] = a, f.points[1] = b, f.vertex = vertex;
+    if (kg_origami_fold(o, &f, &error))
+        fail_msg("%s", error.message);
+}
+
+static void test_what_lies_there_already_is_named_before_lengths(void **user) {
+    (void)user;
+    kg_origami *o = square();
+    double t = 100 * tan(KG_PI / 8);
+    fold_along(o, kg_v3(50, 0, 0), kg_v3(50, 100, 0), kg_v3(0, 0, 0));   /* edge to edge … */
+    fold_along(o, kg_v3(50, 0, 0), kg_v3(50, 100, 0), kg_v3(100, 0, 0)); /* … and back */
+    fold_along(o, kg_v3(0, 0, 0), kg_v3(100, 100, 0), kg_v3(100, 0, 0)); /* corner to corner */
+    fold_along(o, kg_v3(0, 0, 0), kg_v3(t, 100, 0), kg_v3(0, 100, 0));   /* edge to the crease */
+    size_t count;
+    kg_diagram *d = plan(o, &count);
+    assert_int_equal(count, 4);
+    assert_int_equal(d[0].goal, KG_GOAL_CORNER);
+    assert_true(d[0].edge);
+    assert_int_equal(d[1].goal, KG_GOAL_CORNER);
+    assert_false(d[1].edge);
+    assert_int_equal(d[2].goal, KG_GOAL_LINE);
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(d[i].measure_count, 0);
+        assert_int_equal(d[i].mark_count, 0);
+    }
+    free(d);
+    kg_origami_destroy(o);
+}
+
+/* ---- lengths on the page ---------------------------------------------------------------- */
+
+static const kg_diagram_length upper = {{0, 0}, {20, 0}, {0, -1}, 20},
+                               lower = {{0, 30}, {20, 30}, {0, 1}, 20};
+
+static bool lies_on(const kg_dimension *d, kg_vec2 p) {
+    return p.x > d->label.lo.x && p.x < d->label.hi.x && p.y > d->label.lo.y && p.y < d->label.hi.y;
+}
+
+static void test_lengths_keep_off_the_arrow(void **user) {
+    (void)user;
+    kg_dimension free_place[KG_DIAGRAM_MEASURES], place[KG_DIAGRAM_MEASURES];
+    kg_vec2 arrow[KG_ARROW_POINTS];
+    assert_int_equal(kg_dimensions_place(&upper, 1, NULL, 0, 8, free_place), 1);
+    assert_true(free_place[0].label.hi.y < -free_place[0].off); /* beyond its line */
+    kg_vec2 middle = kg_lerp2(free_place[0].label.lo, free_place[0].label.hi, 0.5);
+    for (int i = 0; i < KG_ARROW_POINTS; i++)
+        arrow[i] = kg_v2(i, middle.y);
+    assert_int_equal(kg_dimensions_place(&upper, 1, arrow, KG_ARROW_POINTS, 8, place), 1);
+    for (int i = 0; i < KG_ARROW_POINTS; i++)
+        assert_false(lies_on(&place[0], arrow[i]));
+    assert_near(place[0].outwards.y, -1, 0); /* farther out, not on the paper */
+}
+
+static void test_of_equal_lengths_the_one_that_hides_nothing_is_shown(void **user) {
+    (void)user;
+    const kg_diagram_length both[2] = {upper, lower};
+    kg_dimension place[KG_DIAGRAM_MEASURES];
+    kg_vec2 arrow[KG_ARROW_POINTS];
+    for (int side = 0; side < 2; side++) {
+        for (int i = 0; i < KG_ARROW_POINTS; i++) /* covers all places of one of them */
+            arrow[i] = kg_v2(i % 3 * 10, side ? 20 + i * 0.8 : 10 - i * 0.8);
+        assert_int_equal(kg_dimensions_place(both, 2, arrow, KG_ARROW_POINTS, 8, place), 1);
+        assert_near(place[0].feet[0].y, side ? 0 : 30, 0);
+    }
+    kg_diagram_length other = lower;
+    other.length = 21;
+    const kg_diagram_length unlike[2] = {upper, other};
+    assert_int_equal(kg_dimensions_place(unlike, 2, NULL, 0, 8, place), 2);
+}
+
 /* ---- hidden parts ----------------------------------------------------------------------- */
 
 static int by_depth(const void *user, int32_t id, int32_t other) {
@@ -198,6 +272,9 @@ int main(void) {
         cmocka_unit_test(test_a_fold_undone_is_one_picture),
         cmocka_unit_test(test_many_folds_behind_turn_the_paper_over),
         cmocka_unit_test(test_lengths_say_where_a_line_leaves_the_edges),
+        cmocka_unit_test(test_what_lies_there_already_is_named_before_lengths),
+        cmocka_unit_test(test_lengths_keep_off_the_arrow),
+        cmocka_unit_test(test_of_equal_lengths_the_one_that_hides_nothing_is_shown),
         cmocka_unit_test(test_nearer_facets_are_painted_later),
         cmocka_unit_test(test_facets_in_a_ring_are_clipped_to_what_is_seen),
     };
