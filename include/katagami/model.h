@@ -18,9 +18,6 @@ extern "C" {
 
 struct json_t;
 
-/* Greatest chord error of crossings and loops, mm: a fifth of what nets are written to. */
-#define KG_MODEL_TOLERANCE 0.002
-
 typedef enum kg_trim_kind {
     KG_TRIM_BY,     /* single surface: by[0] */
     KG_TRIM_INSIDE, /* several surfaces: the piece they enclose */
@@ -63,21 +60,12 @@ typedef struct kg_reference {
     struct json_t *json;
 } kg_reference;
 
-typedef enum kg_join_tab {
-    KG_JOIN_TAB_AUTO,
-    KG_JOIN_TAB_NONE,
-    KG_JOIN_TAB_THIS,
-    KG_JOIN_TAB_OTHER
-} kg_join_tab;
-
-typedef enum kg_join_shape { KG_JOIN_AUTO, KG_JOIN_TRAPEZOID, KG_JOIN_TEETH } kg_join_shape;
-
 /* What the user wishes for all joins between two patches. */
 typedef struct kg_model_join {
     int64_t patches[2];
-    kg_join_tab tab; /* THIS: on the part of patches[0] */
-    double width;    /* mm; 0: the net's */
-    kg_join_shape shape;
+    kg_net_tab_side tab; /* THIS: on the part of patches[0] */
+    double width;        /* mm; 0: the net's */
+    kg_net_tab_shape shape;
     bool merge; /* fold there instead of glue, where the parts are flat enough */
     struct json_t *json;
 } kg_model_join;

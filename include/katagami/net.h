@@ -297,7 +297,8 @@ typedef struct kg_net_warning {
 
 /* What `katagami net --json` writes: counts, lengths and areas of the net, its parts and joins with
  * their exact measures, warnings. JSON text with a line break at its end; free() it. `tab_overlaps`
- * is what kg_document_net found. `layout` NULL: pages are 0. Errors: KG_ERR_MEMORY. */
+ * is how many parts have tabs that lie on paper, their own or others'. `layout` NULL: pages are 0.
+ * Errors: KG_ERR_MEMORY. */
 KG_API kg_status kg_net_report(const kg_net *net, const kg_net_layout *layout,
                                const kg_net_warning *warnings, size_t warning_count,
                                int tab_overlaps, char **out_json, kg_error *error) KG_CHECKED;

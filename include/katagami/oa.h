@@ -106,7 +106,7 @@ KG_API kg_status kg_oa_write_memory(const kg_oa *oa, char **out_text, size_t *ou
 /* ---- the sheet -------------------------------------------------------------------------- */
 
 /* The planes cells lie in: those of the back sheet and of the base, and the four of pyramids
- * (oa-diagonals: T and S about the vector s, T' and S' about r). */
+ * (T and S about the vector s, T' and S' about r). */
 typedef enum kg_oa_class {
     KG_OA_BACK,  /* B: vertical, faces the reader */
     KG_OA_FLOOR, /* F: horizontal, faces up */

@@ -5,6 +5,7 @@
 #include "cli/options.h"
 #include "katagami/guide.h"
 #include "net/clash.h"
+#include "net/settings.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -37,9 +38,8 @@ static const kg_option options[] = {
 enum { OPTION_COUNT = sizeof options / sizeof *options };
 
 static int parse_labels(const char *text, kg_net_labels *out) {
-    static const char *const names[] = {"none", "inside", "outside"};
-    for (int i = 0; i < 3; i++)
-        if (strcmp(text, names[i]) == 0) {
+    for (int i = 0; kg_net_label_names[i]; i++)
+        if (strcmp(text, kg_net_label_names[i]) == 0) {
             *out = (kg_net_labels)i;
             return -1;
         }

@@ -120,17 +120,6 @@ kg_status kg_model_duplicate_patch(kg_model *m, int64_t id, int64_t *out_id, kg_
     return KG_OK;
 }
 
-kg_status kg_model_move_patch(kg_model *m, int64_t id, size_t index, kg_error *error) {
-    size_t from = 0;
-    kg_status status = find(m, id, &from, error);
-    if (status)
-        return status;
-    kg_model_patch scratch;
-    move_item(m->patches, sizeof *m->patches, from,
-              index < m->patch_count ? index : m->patch_count - 1, &scratch);
-    return KG_OK;
-}
-
 /* ---- moving in space -------------------------------------------------------------------- */
 
 static kg_vec3 turned(const double r[9], kg_vec3 p) {

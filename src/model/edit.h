@@ -20,13 +20,9 @@ kg_status kg_model_remove_patch(kg_model *model, int64_t id, kg_error *error) KG
 kg_status kg_model_duplicate_patch(kg_model *model, int64_t id, int64_t *out_id,
                                    kg_error *error) KG_CHECKED;
 
-/* Moves the patch to another place in the order of the model. */
-kg_status kg_model_move_patch(kg_model *model, int64_t id, size_t index,
-                              kg_error *error) KG_CHECKED;
-
 /* Turns and moves a patch, x -> scale * R x + offset, with its extent, its contours and the places
  * its trims keep. `rotation`: row-major, orthonormal, determinant 1 or -1. Mirrored, the rulings
- * run the other way (D of section 1 of the geometry changes its sign against the mirrored one), so
+ * run the other way (D, see kg_curve_darboux, changes its sign against the mirrored one), so
  * extent and contours change sign in u, and the front stays the image of the front. KG_ERR_INPUT:
  * scale not positive, results not finite or out of the model's range. */
 typedef struct kg_similarity {

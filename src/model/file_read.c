@@ -334,8 +334,6 @@ static kg_status read_reference(kg_reader *r, const json_t *root, kg_reference *
 }
 
 static kg_status read_join(kg_reader *r, const json_t *v, kg_model_join *join) {
-    static const char *const tabs[] = {"auto", "none", "this", "other"};
-    static const char *const shapes[] = {"auto", "trapezoid", "teeth"};
     const json_t *pair = json_object_get(v, "patches");
     size_t tab = 0, shape = 0;
     if (!json_is_integer(json_array_get(pair, 0)) || !json_is_integer(json_array_get(pair, 1)) ||
@@ -344,17 +342,17 @@ static kg_status read_join(kg_reader *r, const json_t *v, kg_model_join *join) {
     join->json = kg_read_keep(v);
     for (size_t i = 0; i < 2; i++)
         join->patches[i] = json_integer_value(json_array_get(pair, i));
-    kg_status status = kg_read_word(r, v, "tab", tabs, 4, &tab);
+    kg_status status = kg_read_word(r, v, "tab", kg_net_tab_side_names, 4, &tab);
     if (!status)
-        status = kg_read_word(r, v, "shape", shapes, 3, &shape);
+        status = kg_read_word(r, v, "shape", kg_net_tab_shape_names, 3, &shape);
     if (!status)
         status = kg_read_bool(r, v, "merge", &join->merge);
     if (!status)
         status = kg_read_double(r, v, "width", &join->width);
     if (!status && json_object_get(v, "width") && !(join->width > 0))
         status = kg_read_fail(r, "\"width\" is a length above 0");
-    join->tab = (kg_join_tab)tab;
-    join->shape = (kg_join_shape)shape;
+    join->tab = (kg_net_tab_side)tab;
+    join->shape = (kg_net_tab_shape)shape;
     return status;
 }
 

@@ -86,16 +86,15 @@ static json_t *write_reference(const kg_reference *ref) {
 }
 
 static json_t *write_join(const kg_model_join *join) {
-    static const char *const tabs[] = {"auto", "none", "this", "other"};
-    static const char *const shapes[] = {"auto", "trapezoid", "teeth"};
     json_t *o = kg_write_start(join->json);
     bool ok =
         o &&
         kg_write(o, "patches",
                  json_pack("[I,I]", (json_int_t)join->patches[0], (json_int_t)join->patches[1])) &&
-        kg_write_unless(o, "tab", join->tab == KG_JOIN_TAB_AUTO, json_string(tabs[join->tab])) &&
-        kg_write_unless(o, "shape", join->shape == KG_JOIN_AUTO,
-                        json_string(shapes[join->shape])) &&
+        kg_write_unless(o, "tab", join->tab == KG_TAB_AUTO,
+                        json_string(kg_net_tab_side_names[join->tab])) &&
+        kg_write_unless(o, "shape", join->shape == KG_TAB_SHAPE_AUTO,
+                        json_string(kg_net_tab_shape_names[join->shape])) &&
         kg_write_unless(o, "merge", !join->merge, json_boolean(join->merge)) &&
         kg_write_if(o, "width", join->width > 0, kg_write_number(join->width));
     return kg_write_end(o, ok);

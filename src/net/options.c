@@ -1,4 +1,4 @@
-#include "katagami/net.h"
+#include "net/settings.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -44,13 +44,11 @@ void kg_net_options_preset(kg_net_options *options, kg_net_preset preset) {
 }
 
 kg_status kg_net_preset_parse(const char *text, kg_net_preset *out_preset, kg_error *error) {
-    static const char *const names[] = {"print", "laser", "silhouette", "cricut"};
-    for (int i = 0; i < 4; i++) {
-        if (strcmp(text, names[i]) == 0) {
+    for (int i = 0; kg_net_preset_names[i]; i++)
+        if (strcmp(text, kg_net_preset_names[i]) == 0) {
             *out_preset = (kg_net_preset)i;
             return KG_OK;
         }
-    }
     return kg_fail(error, KG_ERR_INPUT,
                    "preset '%s' is unknown; there are print, laser, silhouette and cricut", text);
 }

@@ -6,6 +6,8 @@
 #include <string.h>
 
 const char *const kg_net_label_names[] = {"none", "inside", "outside", NULL};
+const char *const kg_net_tab_side_names[] = {"auto", "none", "this", "other", NULL};
+const char *const kg_net_tab_shape_names[] = {"auto", "trapezoid", "teeth", NULL};
 const char *const kg_net_preset_names[] = {"print", "laser", "silhouette", "cricut", NULL};
 
 kg_net_settings kg_net_settings_default(void) {

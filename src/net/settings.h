@@ -23,8 +23,10 @@ json_t *kg_net_settings_json(const kg_net_settings *settings);
 kg_status kg_net_settings_set(kg_net_settings *settings, const char *key, json_t *value,
                               kg_error *error) KG_CHECKED;
 
-/* "none", "inside", "outside"; NULL behind the last. And the same of presets. */
+/* Words of files in the order of kg_net_labels, kg_net_preset and so on; NULL behind the last. */
 extern const char *const kg_net_label_names[];
 extern const char *const kg_net_preset_names[];
+extern const char *const kg_net_tab_side_names[];
+extern const char *const kg_net_tab_shape_names[];
 
 #endif

@@ -132,16 +132,14 @@ static kg_status join_mark(const kg_pieces *all, const kg_stretch *s, kg_net *ne
 
 /* What the user wishes for the joins of these patches. */
 static void apply_wish(const kg_model *model, kg_net_join *join) {
-    static const kg_net_tab_side sides[] = {KG_TAB_AUTO, KG_TAB_NONE, KG_TAB_THIS, KG_TAB_OTHER};
-    static const kg_net_tab_shape shapes[] = {KG_TAB_SHAPE_AUTO, KG_TAB_TRAPEZOID, KG_TAB_TEETH};
     const kg_model_join *wish = kg_model_find_join(model, join->sources[0], join->sources[1]);
     if (!wish)
         return;
-    kg_join_tab tab = wish->tab;
-    if (wish->patches[0] != join->sources[0] && tab >= KG_JOIN_TAB_THIS)
-        tab = tab == KG_JOIN_TAB_THIS ? KG_JOIN_TAB_OTHER : KG_JOIN_TAB_THIS;
-    join->tab_side = sides[tab];
-    join->tab_shape = shapes[wish->shape];
+    kg_net_tab_side tab = wish->tab;
+    if (wish->patches[0] != join->sources[0] && tab >= KG_TAB_THIS)
+        tab = tab == KG_TAB_THIS ? KG_TAB_OTHER : KG_TAB_THIS;
+    join->tab_side = tab;
+    join->tab_shape = wish->shape;
     join->tab_width = wish->width;
 }
 

@@ -72,11 +72,11 @@ static void every_member_is_read(void **state) {
     assert_int_equal(m->join_count, 2);
     const kg_model_join *join = kg_model_find_join(m, 1, 3);
     assert_ptr_equal(join, &m->joins[0]);
-    assert_int_equal(join->tab, KG_JOIN_TAB_OTHER);
-    assert_int_equal(join->shape, KG_JOIN_TEETH);
+    assert_int_equal(join->tab, KG_TAB_OTHER);
+    assert_int_equal(join->shape, KG_TAB_TEETH);
     assert_near(join->width, 3, 0);
     assert_true(join->merge);
-    assert_int_equal(kg_model_find_join(m, 2, 1)->tab, KG_JOIN_TAB_AUTO);
+    assert_int_equal(kg_model_find_join(m, 2, 1)->tab, KG_TAB_AUTO);
     assert_null(kg_model_find_join(m, 2, 3));
     assert_int_equal(m->patch_count, 3);
     const kg_model_patch *p = &m->patches[0];

@@ -4,7 +4,7 @@
 
 static kg_solution *solve(const kg_model *m) {
     kg_solution *s;
-    assert_int_equal(kg_solution_create(m, KG_MODEL_TOLERANCE, NULL, &s, NULL), KG_OK);
+    assert_int_equal(kg_solution_create(m, 0.002, NULL, &s, NULL), KG_OK);
     return s;
 }
 

@@ -17,7 +17,7 @@ static int load(void **state) {
     static dolphin d;
     kg_error error;
     if (kg_model_read(KG_SAMPLES "/dolphin.katagami", &d.model, &error) != KG_OK ||
-        kg_solution_create(d.model, KG_MODEL_TOLERANCE, NULL, &d.solution, &error) != KG_OK ||
+        kg_solution_create(d.model, 0.002, NULL, &d.solution, &error) != KG_OK ||
         kg_mesh_read(KG_SAMPLES "/dolphin.obj", &d.reference, &error) != KG_OK) {
         print_error("%s\n", error.message);
         return -1;

@@ -408,9 +408,9 @@ static void wishes_for_joins_follow_the_patches_they_name(void **state) {
         model->joins = checked(calloc(1, sizeof *model->joins));
         model->join_count = 1;
         model->joins[0] = (kg_model_join){.patches = {order ? 2 : 1, order ? 1 : 2},
-                                          .tab = KG_JOIN_TAB_THIS,
+                                          .tab = KG_TAB_THIS,
                                           .width = 3,
-                                          .shape = KG_JOIN_TEETH};
+                                          .shape = KG_TAB_TEETH};
         made m = make(model);
         const kg_net_join *j = &m.net->joins[0];
         assert_int_equal(j->sources[0], 1);

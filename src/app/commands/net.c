@@ -153,8 +153,6 @@ static kg_model_join *join_of(kg_model *model, const int64_t patches[2]) {
 
 static kg_status change_join(kg_model *model, const int64_t patches[2], const json_t *a,
                              kg_error *error) {
-    static const char *const tabs[] = {"auto", "none", "this", "other"};
-    static const char *const shapes[] = {"auto", "trapezoid", "teeth"};
     kg_model_join *join = join_of(model, patches);
     if (!join)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
@@ -162,11 +160,11 @@ static kg_status change_join(kg_model *model, const int64_t patches[2], const js
     int tab = (int)join->tab, shape = (int)join->shape;
     double width = join->width;
     bool merge = join->merge;
-    kg_status status = read_word(a, "tab", tabs, 4, &tab, error);
-    if (!status && turned && json_object_get(a, "tab") && tab >= KG_JOIN_TAB_THIS)
-        tab = KG_JOIN_TAB_THIS + KG_JOIN_TAB_OTHER - tab;
+    kg_status status = read_word(a, "tab", kg_net_tab_side_names, 4, &tab, error);
+    if (!status && turned && json_object_get(a, "tab") && tab >= KG_TAB_THIS)
+        tab = KG_TAB_THIS + KG_TAB_OTHER - tab;
     if (!status)
-        status = read_word(a, "shape", shapes, 3, &shape, error);
+        status = read_word(a, "shape", kg_net_tab_shape_names, 3, &shape, error);
     if (!status)
         status = kg_argument_number(a, "width", &width, error);
     if (!status)
@@ -175,11 +173,11 @@ static kg_status change_join(kg_model *model, const int64_t patches[2], const js
         status = kg_fail(error, KG_ERR_INPUT, "\"width\" has to be 0 to 1000 mm");
     if (status)
         return status;
-    join->tab = (kg_join_tab)tab;
-    join->shape = (kg_join_shape)shape;
+    join->tab = (kg_net_tab_side)tab;
+    join->shape = (kg_net_tab_shape)shape;
     join->width = width;
     join->merge = merge;
-    if (tab == KG_JOIN_TAB_AUTO && shape == KG_JOIN_AUTO && width == 0 && !merge && !join->json)
+    if (tab == KG_TAB_AUTO && shape == KG_TAB_SHAPE_AUTO && width == 0 && !merge && !join->json)
         *join = model->joins[--model->join_count]; /* nothing is wished for */
     return KG_OK;
 }

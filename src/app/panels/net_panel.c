@@ -5,6 +5,7 @@
 #include "app/text.h"
 #include "document/pin.h"
 #include "net/clash.h"
+#include "net/settings.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -190,14 +191,12 @@ static kg_model_join wish_of(const kg_editor *e, const kg_net_join *join) {
     const kg_model_join *found =
         kg_model_find_join(kg_editor_model(e), join->sources[0], join->sources[1]);
     kg_model_join wish = found ? *found : (kg_model_join){0};
-    if (found && found->patches[0] != join->sources[0] && wish.tab >= KG_JOIN_TAB_THIS)
-        wish.tab = wish.tab == KG_JOIN_TAB_THIS ? KG_JOIN_TAB_OTHER : KG_JOIN_TAB_THIS;
+    if (found && found->patches[0] != join->sources[0] && wish.tab >= KG_TAB_THIS)
+        wish.tab = wish.tab == KG_TAB_THIS ? KG_TAB_OTHER : KG_TAB_THIS;
     return wish;
 }
 
 static void join_menu(kg_app *app, const kg_net_join *join) {
-    static const char *const tabs[] = {"auto", "none", "this", "other"};
-    static const char *const shapes[] = {"auto", "trapezoid", "teeth"};
     const char *const shape_names[] = {_("shape: automatic"), _("shape: trapezoids"),
                                        _("shape: teeth")};
     kg_net_view *v = &app->net_view;
@@ -214,11 +213,11 @@ static void join_menu(kg_app *app, const kg_net_join *join) {
     bool is_contact = join->kind == KG_JOIN_CONTACT;
     for (int i = 0; i < 4; i++)
         if (kg_ui_menu_item(tab_names[i], "", (int)wish.tab == i, !(is_contact && i == 3)))
-            set_join(e, join, "tab", json_string(tabs[i]));
+            set_join(e, join, "tab", json_string(kg_net_tab_side_names[i]));
     kg_ui_separator();
     for (int i = 0; i < 3; i++)
         if (kg_ui_menu_item(shape_names[i], "", (int)wish.shape == i, true))
-            set_join(e, join, "shape", json_string(shapes[i]));
+            set_join(e, join, "shape", json_string(kg_net_tab_shape_names[i]));
     kg_ui_separator();
     if (kg_ui_menu_item(_("merge the parts here"), "", wish.merge, !is_contact))
         set_join(e, join, "merge", json_boolean(!wish.merge));
