@@ -79,7 +79,7 @@ static void print_text(const findings *f, const char *name) {
         const kg_issue *issue = kg_document_issue(f->document, i);
         printf("%s: %s: ", name, issue->severity == KG_FAULT ? "error" : "warning");
         if (issue->patch > 0)
-            printf("patch %lld ", (long long)issue->patch);
+            printf("patch %lld: ", (long long)issue->patch);
         printf("%s [%s]\n", issue->message, issue->code);
     }
     for (size_t i = 0; i < f->net.remark_count; i++)

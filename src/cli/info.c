@@ -106,7 +106,7 @@ static kg_status print_text(kg_document *d, kg_error *error) {
                (long long)j->sources[1], j->sides[0].length, j->sides[1].length);
     }
     for (size_t i = 0; i < net.remark_count; i++)
-        printf("warning: patch %lld %s\n", (long long)net.remarks[i].source,
+        printf("warning: patch %lld: %s\n", (long long)net.remarks[i].source,
                net.remarks[i].message);
     kg_document_net_clear(&net);
     return KG_OK;

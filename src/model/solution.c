@@ -448,6 +448,6 @@ const kg_issue *kg_solution_issue(const kg_solution *s, size_t index) {
 kg_status kg_solution_check(const kg_solution *s, kg_error *error) {
     if (s->issues.count == 0 || s->issues.items[0].severity != KG_FAULT)
         return KG_OK;
-    return kg_fail(error, KG_ERR_INPUT, "patch %lld %s", (long long)s->issues.items[0].patch,
+    return kg_fail(error, KG_ERR_INPUT, "patch %lld: %s", (long long)s->issues.items[0].patch,
                    s->issues.items[0].message);
 }

@@ -73,7 +73,7 @@ static void a_faulty_model_has_no_mesh_and_no_net(void **state) {
     kg_document_net net = {0};
     kg_error error;
     assert_int_equal(kg_document_mesh(d, NULL, &mesh, &error), KG_ERR_INPUT);
-    assert_non_null(strstr(error.message, "a/b.katagami: patch 3 "));
+    assert_non_null(strstr(error.message, "a/b.katagami: patch 3: "));
     assert_int_equal(kg_document_unroll(d, 5, &net, &error), KG_ERR_INPUT);
     assert_true(!mesh && !net.net);
     kg_document_destroy(d);

@@ -181,7 +181,7 @@ static void a_fault_loses_no_other_patch(void **state) {
     kg_solution *s = solve(m, 0.001, NULL);
     kg_error error;
     assert_int_equal(kg_solution_check(s, &error), KG_ERR_INPUT);
-    assert_non_null(strstr(error.message, "patch 1 "));
+    assert_non_null(strstr(error.message, "patch 1: "));
     assert_non_null(find_issue(s, "bad-trim", 1));
     assert_int_equal(kg_solution_find(s, 1)->regions.count, 0);
     assert_near(area_of(s, 2), 60 * 60, 1e-9); /* cut by the whole rectangle of the faulty one */

@@ -35,7 +35,7 @@ static kg_status refit(kg_editor *e, const json_t *a, kg_error *error) {
 
 /* Puts "patch N" before a message of the kernel. */
 static kg_status of_patch(int64_t id, kg_status status, const kg_error *from, kg_error *error) {
-    return status ? kg_fail(error, status, "patch %lld %s", (long long)id, from->message) : KG_OK;
+    return status ? kg_fail(error, status, "patch %lld: %s", (long long)id, from->message) : KG_OK;
 }
 
 static kg_status planarize_one(kg_editor *e, kg_model_patch *p, kg_error *error) {

@@ -26,7 +26,7 @@ static kg_status add_and_solve(kg_editor *e, int64_t patch, kg_trim_op *op, kg_e
     for (size_t i = 0; i < kg_solution_issue_count(s); i++) {
         const kg_issue *issue = kg_solution_issue(s, i);
         if (issue->severity == KG_FAULT && issue->patch == patch)
-            return kg_fail(error, KG_ERR_INPUT, "patch %lld %s", (long long)patch, issue->message);
+            return kg_fail(error, KG_ERR_INPUT, "patch %lld: %s", (long long)patch, issue->message);
     }
     return KG_OK;
 }

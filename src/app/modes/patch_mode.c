@@ -10,8 +10,9 @@
 #include "app/tools/gizmo.h"
 #include "app/tools/tool.h"
 
-/* Of the height of the side, the part for the list of patches. */
+/* The list of patches is as high as they need, of the side at most this share. */
 #define OUTLINER_SHARE 0.38
+enum { LEAST_ROWS = 4, ROW_HEIGHT = 28, TITLE_HEIGHT = 48 }; /* heights: layout units */
 
 /* Drops what the model no longer has. */
 static void prune_selection(kg_editor *e) {
@@ -102,7 +103,10 @@ static void toolbar(kg_app *app) {
 }
 
 static void side(kg_app *app, kg_area area) {
-    double list = floor(OUTLINER_SHARE * area.height);
+    size_t count = kg_editor_model(&app->editor)->patch_count;
+    double rows = count < LEAST_ROWS ? LEAST_ROWS : (double)count;
+    double list = floor(fmin((TITLE_HEIGHT + rows * ROW_HEIGHT) * app->editor.pane.scale,
+                             OUTLINER_SHARE * area.height));
     kg_panel_outliner(app, (kg_area){area.x, area.y, area.width, list});
     kg_panel_properties(app, (kg_area){area.x, area.y + list, area.width, area.height - list});
 }

@@ -75,6 +75,7 @@ static void finish(kg_app *app) {
     } else if (is_asked || app->reference_loaded == e->reference_asked) {
         app->reference_loaded = e->reference_asked;
         kg_backdrop_take(&e->backdrop, &backdrop);
+        app->framed = app->framed && is_asked; /* of another size or another way up */
         if (reference_error.message[0])
             cannot_show(e, &reference_error);
     }

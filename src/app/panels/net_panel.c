@@ -23,6 +23,14 @@ static const char *part_name(const kg_net_part *part, char out[], size_t size) {
     return out;
 }
 
+static void patch_label(const kg_editor *e, int64_t id, char *out, size_t size) {
+    const kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
+    if (p && p->name[0])
+        snprintf(out, size, "%s", p->name);
+    else
+        snprintf(out, size, _("patch %lld"), (long long)id);
+}
+
 /* ---- header ----------------------------------------------------------------------------- */
 
 /* While parts are being placed, over the pages. */
@@ -53,6 +61,8 @@ static void describe(const kg_net_picture *p, double room, char *out, size_t siz
     if (kg_ui_text_width(out) > room)
         snprintf(out, size, _("Parts: %zu   Pages: %zu"), p->net.net->part_count,
                  p->layout->page_count);
+    if (kg_ui_text_width(out) > room)
+        snprintf(out, size, _("Parts: %zu"), p->net.net->part_count);
 }
 
 static void show_header(kg_app *app, kg_area area) {
@@ -132,8 +142,12 @@ static void show_warnings(kg_app *app, kg_area area) {
     }
     for (size_t i = 0; p && i < p->net.remark_count; i++) {
         const kg_net_warning *r = &p->net.remarks[i];
+        if (r->source)
+            patch_label(&app->editor, r->source, name, sizeof name);
+        snprintf(text, sizeof text, "%s%s%s", r->source ? name : "", r->source ? ": " : "",
+                 r->message);
         kg_ui_id_push((int64_t)i);
-        warning(app, amber, r->message, part_of_patch(p, r->source), r->source);
+        warning(app, amber, text, part_of_patch(p, r->source), r->source);
         kg_ui_id_pop();
     }
     kg_ui_panel_end();
@@ -176,14 +190,6 @@ static void set_join(kg_editor *e, const kg_net_join *join, const char *key, jso
     kg_command_do_with(e, "net.join",
                        json_pack("{s:[I,I], s:o}", "patches", (json_int_t)join->sources[0],
                                  (json_int_t)join->sources[1], key, value));
-}
-
-static void patch_label(const kg_editor *e, int64_t id, char *out, size_t size) {
-    const kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
-    if (p && p->name[0])
-        snprintf(out, size, "%s", p->name);
-    else
-        snprintf(out, size, _("patch %lld"), (long long)id);
 }
 
 /* What the model wishes for the joins of two patches, seen from the first of these. */

@@ -54,7 +54,7 @@ static void row(kg_app *app, size_t index) {
     int64_t id = p->id;
     const char *command = NULL; /* run at the end: it may put back a copy of the model */
     const kg_issue *issue = issue_of(e, id);
-    char label[300];
+    char label[300], number[24];
     int rank = kg_editor_selection_rank(e, id);
     kg_ui_id_push(id);
     kg_ui_table_row();
@@ -64,6 +64,9 @@ static void row(kg_app *app, size_t index) {
     kg_ui_tooltip(_("Show or hide"));
     kg_ui_table_next();
     color_cell(e, p, index);
+    kg_ui_table_next();
+    snprintf(number, sizeof number, "%lld", (long long)id);
+    kg_ui_text_dim(number);
     kg_ui_table_next();
     label_of(p, label, sizeof label);
     if (rank >= 0)
@@ -98,14 +101,14 @@ static void row(kg_app *app, size_t index) {
 }
 
 void kg_panel_outliner(kg_app *app, kg_area area) {
-    static const double widths[] = {22, 24, 0, 24, 24, 24};
+    static const double widths[] = {22, 24, 22, 0, 24, 24, 24};
     const kg_model *m = kg_editor_model(&app->editor);
     char title[64];
     snprintf(title, sizeof title, _("Patches (%zu)"), m->patch_count);
     kg_ui_panel_begin("outliner", title, area, 0);
     if (m->patch_count == 0)
         kg_ui_text_wrapped(_("No patches yet. Press A and click four times to place one."));
-    if (m->patch_count > 0 && kg_ui_table_begin("patches", 6, widths)) {
+    if (m->patch_count > 0 && kg_ui_table_begin("patches", 7, widths)) {
         for (size_t i = 0; i < m->patch_count; i++)
             row(app, i);
         kg_ui_table_end();

@@ -85,7 +85,7 @@ static void show_extent(kg_editor *e, kg_model_patch *p, const kg_solved_patch *
     if (s && s->prepared) {
         char text[160];
         double degree = 180 / KG_PI;
-        snprintf(text, sizeof text, _("length %.1f mm, rulings at %.0f° to %.0f°"),
+        snprintf(text, sizeof text, _("%.1f mm long, rulings at %.0f°–%.0f°"),
                  kg_patch_length(&s->patch, 1), s->patch.theta[0] * degree,
                  s->patch.theta[1] * degree);
         kg_ui_text_dim(text);
@@ -111,7 +111,7 @@ static void describe(const kg_model *m, const kg_trim_op *op, char *out, size_t 
 static void show_trim(kg_editor *e, const kg_model_patch *p, size_t index) {
     const kg_trim_op *op = &p->trims[index];
     json_int_t id = p->id, n = (json_int_t)index;
-    char text[128];
+    char text[128], tip[320];
     bool on = !op->off, bounded = op->bounded, is_contour = op->kind == KG_TRIM_CONTOUR;
     size_t count = p->trim_count;
     json_t *change = NULL;
@@ -122,7 +122,9 @@ static void show_trim(kg_editor *e, const kg_model_patch *p, size_t index) {
     describe(kg_editor_model(e), op, text, sizeof text);
     if (kg_ui_check(text, &on))
         change = json_pack("{s:I,s:I,s:b}", "patch", id, "trim", n, "off", !on);
-    kg_ui_tooltip(_("Switched off, a trim stays in the list but cuts nothing."));
+    snprintf(tip, sizeof tip, "%s\n%s", text,
+             _("Switched off, a trim stays in the list but cuts nothing."));
+    kg_ui_tooltip(tip);
     kg_ui_table_next();
     if (!is_contour) {
         if (kg_ui_icon_button("bounded", KG_ICON_CONTOUR, bounded, 0))
@@ -248,8 +250,11 @@ static void show_issues(kg_editor *e, int64_t patch) {
 static void show_patch(kg_app *app, int64_t id) {
     kg_editor *e = &app->editor;
     char title[320];
-    snprintf(title, sizeof title, "%lld  %s", (long long)id,
-             kg_model_find(kg_editor_model(e), id)->name);
+    const char *name = kg_model_find(kg_editor_model(e), id)->name;
+    if (name[0])
+        snprintf(title, sizeof title, "%lld  %s", (long long)id, name);
+    else
+        snprintf(title, sizeof title, _("patch %lld"), (long long)id);
     kg_ui_text(title);
     kg_ui_id_push(id);
     show_issues(e, id);
@@ -263,17 +268,28 @@ static void show_patch(kg_app *app, int64_t id) {
 
 /* ---- the model -------------------------------------------------------------------------- */
 
+/* As large as the reference is shown: in a file without a size, the mesh has its own. */
+static double longest_side(const kg_editor *e, const kg_reference *ref) {
+    if (ref->size_mm > 0 || !e->backdrop.mesh)
+        return ref->size_mm;
+    kg_box3 box = kg_mesh_bounds(e->backdrop.mesh);
+    kg_vec3 size = kg_sub(box.hi, box.lo);
+    return fmax(size.x, fmax(size.y, size.z));
+}
+
 static void show_reference(kg_editor *e) {
     if (!kg_ui_section(_("Reference"), true))
         return;
     kg_reference *ref = &kg_editor_model(e)->reference;
+    const char *slash = ref->file ? strrchr(ref->file, '/') : NULL;
     if (kg_ui_button(ref->file ? _("Change…") : _("Choose a mesh…")))
         e->request = KG_REQUEST_REFERENCE;
     if (!ref->file)
         return;
     kg_ui_same_line();
-    kg_ui_text_dim(ref->file);
-    double opacity = ref->opacity, size = ref->size_mm;
+    kg_ui_text_dim(slash ? slash + 1 : ref->file);
+    kg_ui_tooltip(ref->file);
+    double opacity = ref->opacity, size = longest_side(e, ref);
     kg_ui_width(150);
     unsigned result = kg_ui_slider(_("opacity"), &opacity, 0, 1, "%.2f");
     if (follow(e, result, N_("Reference opacity")))
@@ -283,8 +299,9 @@ static void show_reference(kg_editor *e) {
     if (kg_ui_check(_("y points up in the mesh"), &up_y))
         kg_command_do_with(e, "reference.set", json_pack("{s:s}", "up", up_y ? "y" : "z"));
     kg_ui_width(150);
-    result = kg_ui_number(_("longest side"), &size, 1, 0, 1e5, "%.1f mm");
-    kg_ui_tooltip(_("0: as large as the mesh is in its file"));
+    result = kg_ui_number(_("longest side"), &size, 1, 0, 1e5, size < 1 ? "%.3f mm" : "%.1f mm");
+    kg_ui_tooltip(_("As large as this the model gets on paper. Double click to type a size; 0: as "
+                    "large as the mesh is in its file."));
     if (follow(e, result, N_("Reference size")))
         kg_editor_model(e)->reference.size_mm = size;
     if (result & KG_FIELD_ENDED) {
@@ -318,6 +335,7 @@ void kg_panel_properties(kg_app *app, kg_area area) {
     kg_editor *e = &app->editor;
     int64_t id = kg_editor_first_selected(e);
     kg_ui_panel_begin("properties", _("Properties"), area, 0);
+    kg_ui_subject(id);
     if (id)
         show_patch(app, id);
     show_reference(e);

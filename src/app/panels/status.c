@@ -32,8 +32,31 @@ kg_color kg_panel_severity_color(const kg_editor *e, kg_severity severity) {
     return severity == KG_FAULT ? shade->fault : shade->warning;
 }
 
+/* The issue that a click leads to: the first, or the one after those of the selected patch, so that
+ * clicks lead through all. */
+static const kg_issue *next_issue(const kg_editor *e) {
+    size_t count = kg_document_issue_count(e->document), next = 0;
+    int64_t selected = kg_editor_first_selected(e);
+    for (size_t i = 0; i < count; i++)
+        if (selected && kg_document_issue(e->document, i)->patch == selected)
+            next = i + 1;
+    return kg_document_issue(e->document, next % count);
+}
+
+/* How much is wrong; a click selects what it is about. */
+static void show_count(kg_editor *e, kg_color color, const char *text) {
+    const kg_issue *issue = next_issue(e);
+    const kg_model_patch *p = issue->patch ? kg_model_find(kg_editor_model(e), issue->patch) : NULL;
+    char tip[KG_ERROR_SIZE];
+    snprintf(tip, sizeof tip, "%s%s%s", p ? p->name : "", p && p->name[0] ? ": " : "",
+             issue->message);
+    if (kg_ui_link(color, text) && p)
+        kg_editor_select(e, p->id, false);
+    kg_ui_tooltip(tip);
+}
+
 void kg_panel_status(kg_app *app, kg_area area) {
-    const kg_editor *e = &app->editor;
+    kg_editor *e = &app->editor;
     const struct shades *shade = &shades[e->settings.theme];
     const kg_document *d = e->document;
     size_t faults = 0, count = kg_document_issue_count(d);
@@ -57,10 +80,8 @@ void kg_panel_status(kg_app *app, kg_area area) {
         kg_ui_text_dim(cut(now ? now : _(e->tool->hint), room, shown, sizeof shown));
     kg_ui_right(kg_ui_text_width(text) + 10);
     if (count > 0)
-        kg_ui_text_color(faults > 0 ? shade->fault : shade->warning, text);
+        show_count(e, faults > 0 ? shade->fault : shade->warning, text);
     else
         kg_ui_text_dim(text);
-    if (count > 0)
-        kg_ui_tooltip(kg_document_issue(d, 0)->message);
     kg_ui_panel_end();
 }

@@ -127,6 +127,8 @@ void kg_ui_text(const char *text);
 void kg_ui_text_dim(const char *text);
 void kg_ui_text_wrapped(const char *text);
 void kg_ui_text_color(kg_color color, const char *text);
+/* A text that can be clicked. */
+bool kg_ui_link(kg_color color, const char *text);
 
 bool kg_ui_button(const char *label);
 bool kg_ui_primary_button(const char *label); /* Enter presses it too */
@@ -209,6 +211,8 @@ void kg_ui_mark(kg_color color);
 bool kg_ui_item_hovered(void);
 bool kg_ui_item_double_clicked(void);
 void kg_ui_scroll_here(void);
+/* What the panel is about: another subject is shown from its top. */
+void kg_ui_subject(int64_t subject);
 bool kg_ui_mouse_held(void);
 bool kg_ui_key_pressed(int key); /* in this frame, whoever has the keyboard */
 

@@ -119,6 +119,12 @@ void kg_ui_text_color(kg_color color, const char *text) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(rgba(color), "%s", see(text));
 }
+bool kg_ui_link(kg_color color, const char *text) {
+    kg_ui_text_color(color, text);
+    if (ImGui::IsItemHovered())
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    return shown(text, ImGui::IsItemClicked());
+}
 
 bool kg_ui_button(const char *label) {
     return shown(label, ImGui::Button(see(label)));
@@ -256,6 +262,14 @@ bool kg_ui_item_double_clicked(void) {
 }
 void kg_ui_scroll_here(void) {
     ImGui::SetScrollHereY();
+}
+void kg_ui_subject(int64_t subject) {
+    ImGuiStorage *storage = ImGui::GetStateStorage();
+    ImGuiID key = ImGui::GetID("subject");
+    if (storage->GetInt(key) == (int)subject)
+        return;
+    storage->SetInt(key, (int)subject);
+    ImGui::SetScrollY(0);
 }
 bool kg_ui_mouse_held(void) {
     return ImGui::IsMouseDown(0);
