@@ -3,6 +3,7 @@ uniform vec4 front;
 uniform vec4 back;
 uniform vec4 highlight;
 uniform bool lit;
+uniform bool even; // a sky below, too
 uniform bool ortho;
 uniform vec3 up; // the world's z in view space
 
@@ -34,7 +35,8 @@ void main() {
     vec3 c = gl_FrontFacing ? front.rgb : back.rgb;
     if (lit) {
         vec3 n = facing_normal();
-        float light = mix(floor_light, sky_light, 0.5 + 0.5 * dot(n, up)) +
+        float height = even ? abs(dot(n, up)) : dot(n, up);
+        float light = mix(floor_light, sky_light, 0.5 + 0.5 * height) +
                       lamp_light * max(dot(n, lamp), 0.0);
         c *= gl_FrontFacing ? light : mix(light, 1.0, back_glow);
     }

@@ -156,6 +156,7 @@ typedef struct kg_style {
     kg_color back;      /* surfaces: the back side (its alpha is not used) */
     kg_color highlight; /* mixed into both by its alpha, 0 is none */
     bool unlit;         /* surfaces: plain colour without shading */
+    bool even;          /* surfaces: as light from below as from above, as what is turned over is */
     float size_px;      /* width of lines, diameter of points */
     float dashes_px[4]; /* lines: on, off, on, off, along the line at the camera's center; all 0
                            is solid */

@@ -15,6 +15,7 @@ static const char *const uniform_names[KG_UNIFORM_COUNT] = {
     [KG_UNIFORM_BACK] = "back",
     [KG_UNIFORM_HIGHLIGHT] = "highlight",
     [KG_UNIFORM_LIT] = "lit",
+    [KG_UNIFORM_EVEN] = "even",
     [KG_UNIFORM_UP] = "up",
     [KG_UNIFORM_COLOR_IN] = "color_in",
     [KG_UNIFORM_DASHES] = "dashes",

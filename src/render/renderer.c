@@ -95,6 +95,7 @@ static void use_surface(const kg_program *p, const kg_frame *frame, const kg_sty
     set_color(p, KG_UNIFORM_BACK, style->back);
     set_color(p, KG_UNIFORM_HIGHLIGHT, style->highlight);
     glUniform1i(p->at[KG_UNIFORM_LIT], !style->unlit);
+    glUniform1i(p->at[KG_UNIFORM_EVEN], style->even);
 }
 
 static void use_lines_or_points(const kg_program *p, const kg_frame *frame, const kg_style *style,

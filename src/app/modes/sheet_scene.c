@@ -19,9 +19,6 @@
 /* Edges of more complex states throw none: telling which lie on one another would take too long. */
 enum { MOST_SHADOWS = 1000 };
 
-/* Opacity of edges behind paper. */
-#define HIDDEN 0.08F
-
 static const kg_color ink = {0.1F, 0.1F, 0.12F, 1}, mark = {0.95F, 0.55F, 0.05F, 1},
                       hover = {0.1F, 0.45F, 0.9F, 1};
 
@@ -149,6 +146,7 @@ static void show_paper(const kg_sheets *s, int32_t sheet, paint wanted, kg_overl
     kg_style style = kg_style_default(kg_color_from_rgb(front));
     style.color.a = (float)s->opacity;
     style.back = kg_color_from_rgb(back);
+    style.even = true;
     if (wanted == PAINT_HOVERED)
         style.highlight = (kg_color){hover.r, hover.g, hover.b, 0.2F};
     if (wanted == PAINT_MARKED)
@@ -212,7 +210,6 @@ static void show_threads(const kg_sheets *s, kg_overlay *o) {
 
 static void show_all_edges(const kg_sheets *s, kg_overlay *o) {
     kg_style strong = kg_line_style(ink, 1.4F), flat = kg_line_style(ink, 1);
-    strong.hidden = s->spread > 0 ? 0 : HIDDEN;
     strong.exact = flat.exact = s->opacity >= 1;
     flat.color = (kg_color){0.35F, 0.35F, 0.37F, 1};
     if (s->opacity < 1) /* over the paper, which hides none of them */

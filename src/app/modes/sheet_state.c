@@ -253,11 +253,9 @@ bool kg_sheets_tick(kg_editor *e, double seconds) {
     if (!s->playing)
         return false;
     s->played += seconds;
-    size_t step = s->step;
-    if (s->played >= s->pace) {
-        s->played = 0;
-        step++;
-    }
+    size_t whole = (size_t)fmin(s->played / s->pace, s->target); /* long ticks are many folds */
+    size_t step = s->step + whole;
+    s->played -= (double)whole * s->pace;
     double folds = (double)step + (1 - cos(KG_PI * s->played / s->pace)) / 2;
     s->playing = folds < s->target;
     show(s, fmin(folds, s->target));

@@ -10,6 +10,8 @@
 enum { FIELD_WIDTH = 170, LABEL_ABOVE = 26, LABEL_MARGIN = 6 };
 /* Rows of layers and gaps; more are reached by the number above them. */
 enum { MOST_ROWS = 24 };
+/* Faces of a layer that fit a row. */
+enum { MOST_NAMED = 6 };
 
 static const char *const way_ids[KG_WAY_COUNT] = {"fold.drag", "fold.axis", "fold.bisect",
                                                   "fold.square"};
@@ -49,14 +51,21 @@ static void show_angle(kg_editor *e, const kg_fold_tool *t) {
 
 /* ---- layers ------------------------------------------------------------------------------ */
 
-/* "2: faces 3, 5" */
+/* "2: face 3, 5"; of many faces how many they are. */
 static void name_layer(const kg_editor *e, const int32_t *layers, int32_t layer, char *out,
                        size_t size) {
     const kg_origami_state *s = kg_sheets_of(e)->state;
-    size_t count = 0, at = (size_t)snprintf(out, size, _("%d: face"), layer);
+    size_t count = 0, named = 0, at;
+    for (size_t i = 0; i < s->loops.count; i++)
+        count += layers[i] == layer;
+    if (count > MOST_NAMED) {
+        snprintf(out, size, _("%d: %zu faces"), layer, count);
+        return;
+    }
+    at = (size_t)snprintf(out, size, _("%d: face"), layer);
     for (size_t i = 0; i < s->loops.count && at < size; i++)
         if (layers[i] == layer)
-            at += (size_t)snprintf(out + at, size - at, count++ > 0 ? ", %zu" : " %zu", i);
+            at += (size_t)snprintf(out + at, size - at, named++ > 0 ? ", %zu" : " %zu", i);
 }
 
 static void show_layers(kg_editor *e, kg_fold_tool *t) {

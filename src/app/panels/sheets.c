@@ -168,5 +168,5 @@ void kg_panel_sheets(kg_app *app) {
     kg_ui_disabled_end();
     kg_ui_tooltip(fixed);
     if (fixed)
-        kg_ui_text_dim(fixed);
+        kg_ui_text_wrapped(fixed);
 }

@@ -5,7 +5,7 @@
 #include "app/text.h"
 
 /* Layout units. */
-enum { HEIGHT = 42, LAYERS_WIDTH = 90 };
+enum { HEIGHT = 42, LAYERS_WIDTH = 112 };
 
 /* Of a fold: the slider rests at whole steps so near. */
 #define REST 0.04

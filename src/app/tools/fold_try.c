@@ -91,11 +91,19 @@ void kg_fold_find_pile(kg_editor *e, kg_fold_tool *t) {
     for (size_t i = 0; i < loops; i++)
         if (s->loops.items[i].group == t->group && kg_fold_has_corner(s, (int32_t)i, at))
             t->pile[i] = 1;
-    for (size_t i = 0; i < loops; i++) {
-        for (size_t k = 0; k < loops && t->pile[i]; k++)
-            t->pile[i] += t->pile[k] && lies_on(s, t, (int32_t)i, (int32_t)k);
-        t->pile_count = t->pile[i] > t->pile_count ? t->pile[i] : t->pile_count;
+    /* each below all that lie on it; layers in a ring would sink for ever */
+    bool sinks = true;
+    for (size_t round = 0; round < loops && sinks; round++) {
+        sinks = false;
+        for (size_t i = 0; i < loops; i++)
+            for (size_t k = 0; k < loops && t->pile[i]; k++)
+                if (k != i && t->pile[k] >= t->pile[i] && lies_on(s, t, (int32_t)i, (int32_t)k)) {
+                    t->pile[i] = t->pile[k] + 1;
+                    sinks = true;
+                }
     }
+    for (size_t i = 0; i < loops; i++)
+        t->pile_count = t->pile[i] > t->pile_count ? t->pile[i] : t->pile_count;
 }
 
 static int32_t topmost(const kg_fold_tool *t, const kg_origami_state *s) {
