@@ -93,15 +93,21 @@ typedef struct kg_origami_state {
         size_t count, capacity;
     } groups;
     struct {
-        kg_layer_order *items; /* sorted by a, then b; every pair that overlaps and no other */
-        size_t count, capacity;
-    } orders;
+        uint64_t *bits; /* two rows for each loop, of one bit for each loop: what lies on its back,
+                           then what lies on its front; see kg_origami_order */
+        size_t words;   /* of one row */
+    } layers;
     double size;  /* mm, the longest side around all flat sheets; tolerances grow with it */
     double touch; /* mm: overlaps narrower than this are none, paper that merely touches */
 } kg_origami_state;
 
 /* 1: loop b is in front of loop a, -1: behind it, 0: they do not overlap. */
 KG_API int kg_origami_order(const kg_origami_state *state, int32_t a, int32_t b);
+/* The pair of overlapping loops that follows `*order`, by a, then b; the first one follows {0}.
+ * False: there is none. */
+KG_API bool kg_origami_next_order(const kg_origami_state *state, kg_layer_order *order);
+/* How many there are. */
+KG_API size_t kg_origami_pair_count(const kg_origami_state *state);
 
 /* Unit normal of the front of a loop. */
 KG_API kg_vec3 kg_origami_normal(const kg_origami_state *state, int32_t loop);

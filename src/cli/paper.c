@@ -10,7 +10,8 @@ typedef struct figures {
 static figures measure(kg_document *d) {
     const kg_origami *o = kg_document_origami(d);
     const kg_origami_state *s = kg_origami_state_at(o, kg_origami_step(o));
-    figures f = {.folds = kg_origami_step(o), .faces = s->loops.count, .pairs = s->orders.count};
+    figures f = {
+        .folds = kg_origami_step(o), .faces = s->loops.count, .pairs = kg_origami_pair_count(s)};
     for (size_t i = 0; i < s->loops.count; i++)
         f.sheets = (size_t)s->loops.items[i].sheet >= f.sheets ? (size_t)s->loops.items[i].sheet + 1
                                                                : f.sheets;

@@ -210,30 +210,29 @@ kg_status kg_folding_create(const kg_origami_state *s, const kg_fold *fold, kg_f
     kg_folding f = {.state = s,
                     .sides = calloc(s->vertices.count + 1, 1),
                     .reach = calloc(s->loops.count + 1, 1),
-                    .moves = calloc(s->loops.count + 1, sizeof *f.moves)};
-    kg_status status = f.sides && f.reach && f.moves ? KG_OK : KG_ERR_MEMORY;
+                    .moves = calloc(s->loops.count + 1, sizeof *f.moves),
+                    .open = malloc(kg_layer_words(s->loops.count) * sizeof *f.open)};
+    kg_status status = f.sides && f.reach && f.moves && f.open ? KG_OK : KG_ERR_MEMORY;
     if (!status)
         status = kg_outlines_create(s, &f.outlines);
     if (!status)
         status = find_axis(&f, fold, error);
-    if (!status)
-        status =
-            kg_layer_bits_read(s, &f.outlines, f.axis.group, f.axis.angle > 0 ? 1 : -1, &f.layers);
     if (status) {
         kg_folding_clear(&f);
         return status;
     }
     find_sides(&f);
+    kg_folding_rest(&f);
     *out = f;
     return KG_OK;
 }
 
 void kg_folding_clear(kg_folding *f) {
     kg_outlines_clear(&f->outlines);
-    kg_layer_bits_clear(&f->layers);
     free(f->sides);
     free(f->reach);
     free(f->moves);
+    free(f->open);
     *f = (kg_folding){0};
 }
 
@@ -258,9 +257,9 @@ static int32_t topmost(const kg_folding *f, kg_vec3 vertex) {
     for (size_t i = 0; i < s->loops.count; i++) {
         if (f->moves[i] || s->loops.items[i].group != f->axis.group || !has_corner(s, i, vertex))
             continue;
-        const uint64_t *row = kg_layer_row(&f->layers, (int32_t)i, up);
+        const uint64_t *row = kg_layer_pile(s, &f->outlines, (int32_t)i, up);
         bool covered = false;
-        for (size_t w = 0; w < f->layers.words; w++)
+        for (size_t w = 0; w < s->layers.words; w++)
             for (uint64_t bits = row[w]; bits != 0 && !covered;) {
                 size_t other = 64 * w + (size_t)kg_bit_next(&bits);
                 covered = !f->moves[other] && has_corner(s, other, vertex);

@@ -7,7 +7,8 @@
 /* An edge between two loops of one group, in the group's axes. */
 typedef struct crease {
     int32_t loops[2];
-    kg_vec2 ends[2];
+    kg_vec2 ends[2], along; /* unit */
+    double length;
     int sides[2]; /* of the two loops: 1 left of the edge, -1 right */
     bool valid, is_taco;
 } crease;
@@ -15,31 +16,42 @@ typedef struct crease {
 typedef struct finder {
     const kg_origami_state *state;
     const kg_outlines *outlines;
-    const kg_layer_rows *rows;
     crease *creases;
-    int32_t *seen; /* per edge: the last edge it was compared with */
     double tolerance;
-    kg_conditions *out;
+    int32_t *seen;         /* finding, per edge: the last edge it was compared with */
+    kg_conditions *out;    /* finding */
+    const uint64_t *moved; /* checking */
+    kg_error *error;       /* checking */
 } finder;
 
-static crease crease_of(const finder *f, int32_t edge) {
+static kg_status find_creases(finder *f) {
     const kg_origami_state *s = f->state;
-    int32_t half = 2 * edge, a = kg_loop_of(s, half), b = kg_loop_of(s, half + 1);
-    crease c = {.loops = {a, b}};
-    if (a < 0 || b < 0 || s->loops.items[a].group != s->loops.items[b].group)
-        return c;
+    int32_t axes_of = -1;
     kg_vec3 u, v;
-    kg_plane_axes(s->groups.items[s->loops.items[a].group].normal, &u, &v);
-    for (int k = 0; k < 2; k++) {
-        kg_vec3 p = *kg_origin(s, half + k);
-        c.ends[k] = kg_v2(kg_dot(u, p), kg_dot(v, p));
+    f->creases = calloc(s->edges.count + 1, sizeof *f->creases);
+    for (size_t e = 0; e < s->edges.count && f->creases; e++) {
+        int32_t half = (int32_t)(2 * e), a = kg_loop_of(s, half), b = kg_loop_of(s, half + 1);
+        crease *c = &f->creases[e];
+        if (a < 0 || b < 0 || s->loops.items[a].group != s->loops.items[b].group)
+            continue;
+        if (s->loops.items[a].group != axes_of) {
+            axes_of = s->loops.items[a].group;
+            kg_plane_axes(s->groups.items[axes_of].normal, &u, &v);
+        }
+        for (int k = 0; k < 2; k++) {
+            kg_vec3 p = *kg_origin(s, half + k);
+            c->ends[k] = kg_v2(kg_dot(u, p), kg_dot(v, p));
+        }
+        c->length = kg_dist2(c->ends[0], c->ends[1]);
+        c->along = kg_scale2(kg_sub2(c->ends[1], c->ends[0]), 1 / c->length);
+        c->loops[0] = a, c->loops[1] = b;
+        /* a loop lies left of its half-edges when its front shows */
+        c->sides[0] = f->outlines->facing[a];
+        c->sides[1] = -f->outlines->facing[b];
+        c->valid = true;
+        c->is_taco = c->sides[0] == c->sides[1];
     }
-    /* a loop lies left of its half-edges when its front shows */
-    c.sides[0] = f->outlines->facing[a];
-    c.sides[1] = -f->outlines->facing[b];
-    c.valid = true;
-    c.is_taco = c.sides[0] == c.sides[1];
-    return c;
+    return f->creases ? KG_OK : KG_ERR_MEMORY;
 }
 
 static kg_status add(finder *f, kg_condition c) {
@@ -50,10 +62,15 @@ static kg_status add(finder *f, kg_condition c) {
 
 /* A part of the edge, longer than the tolerance, runs inside a loop. */
 static bool runs_inside(const finder *f, const crease *e, int32_t loop) {
-    kg_vec2 p = e->ends[0], d = kg_sub2(e->ends[1], p);
-    double length = kg_len2(d), t[2] = {0, 1};
+    const kg_outline_side *sides = f->outlines->sides + f->outlines->starts[loop];
     const kg_vec2 *q = kg_outline_points(f->outlines, loop);
     size_t n = kg_outline_size(f->outlines, loop);
+    for (size_t i = 0; i < n; i++) /* most lie beside it */
+        if (kg_outline_depth(&sides[i], e->ends[0]) <= f->tolerance &&
+            kg_outline_depth(&sides[i], e->ends[1]) <= f->tolerance)
+            return false;
+    kg_vec2 p = e->ends[0], d = kg_sub2(e->ends[1], p);
+    double length = e->length, t[2] = {0, 1};
     for (size_t i = 0; i < n; i++) {
         kg_vec2 side = kg_sub2(q[i + 1 < n ? i + 1 : 0], q[i]);
         double w = kg_len2(side), from = kg_cross2(side, kg_sub2(p, q[i])) - f->tolerance * w,
@@ -72,17 +89,16 @@ static bool runs_inside(const finder *f, const crease *e, int32_t loop) {
 
 static kg_status find_through(finder *f, int32_t edge) {
     const crease *e = &f->creases[edge];
-    const kg_layer_rows *r = f->rows;
-    size_t i = r->starts[e->loops[0]], k = r->starts[e->loops[1]];
     kg_status status = KG_OK;
-    while (i < r->starts[e->loops[0] + 1] && k < r->starts[e->loops[1] + 1] && !status) {
-        int32_t x = kg_row_other(r, i), y = kg_row_other(r, k);
-        if (x == y && runs_inside(f, e, x))
-            status = add(
-                f, (kg_condition){KG_CONDITION_SAME, e->loops[0], x, e->loops[1], x, {edge, -1}});
-        i += x <= y;
-        k += y <= x;
-    }
+    for (size_t w = 0; w < f->state->layers.words; w++)
+        for (uint64_t both =
+                 kg_layer_any(f->state, e->loops[0], w) & kg_layer_any(f->state, e->loops[1], w);
+             both != 0 && !status;) {
+            int32_t x = (int32_t)(64 * w) + kg_bit_next(&both);
+            if (runs_inside(f, e, x))
+                status = add(f, (kg_condition){
+                                    KG_CONDITION_SAME, e->loops[0], x, e->loops[1], x, {edge, -1}});
+        }
     return status;
 }
 
@@ -90,29 +106,31 @@ static kg_status find_through(finder *f, int32_t edge) {
 
 /* Same line and a common stretch; `*out_turned` when they run against each other. */
 static bool coincide(const finder *f, const crease *e, const crease *g, bool *out_turned) {
-    kg_vec2 d = kg_sub2(e->ends[1], e->ends[0]);
-    double length = kg_len2(d), t[2];
-    d = kg_scale2(d, 1 / length);
+    double t[2];
     for (int k = 0; k < 2; k++) {
         kg_vec2 r = kg_sub2(g->ends[k], e->ends[0]);
-        if (fabs(kg_cross2(d, r)) > f->tolerance)
+        if (fabs(kg_cross2(e->along, r)) > f->tolerance)
             return false;
-        t[k] = kg_dot2(d, r);
+        t[k] = kg_dot2(e->along, r);
     }
     *out_turned = t[0] > t[1];
-    return fmin(length, fmax(t[0], t[1])) - fmax(0, fmin(t[0], t[1])) > f->tolerance;
+    return fmin(e->length, fmax(t[0], t[1])) - fmax(0, fmin(t[0], t[1])) > f->tolerance;
+}
+
+/* Both bound one loop: rounding of a sliver. */
+static bool share_loop(const crease *e, const crease *g) {
+    return e->loops[0] == g->loops[0] || e->loops[0] == g->loops[1] || e->loops[1] == g->loops[0] ||
+           e->loops[1] == g->loops[1];
 }
 
 static kg_status compare(finder *f, int32_t edge, int32_t other) {
     const crease *e = &f->creases[edge], *g = &f->creases[other];
     bool turned;
-    if (!g->valid || !coincide(f, e, g, &turned))
+    if (!g->valid || share_loop(e, g) || !coincide(f, e, g, &turned))
         return KG_OK;
     int flip = turned ? -1 : 1;
     int32_t a = e->loops[0], b = e->loops[1], c = g->loops[0], d = g->loops[1];
     int side_c = flip * g->sides[0];
-    if (a == c || a == d || b == c || b == d)
-        return KG_OK; /* both bound one loop: rounding of a sliver */
     if (e->is_taco && g->is_taco)
         return side_c != e->sides[0]
                    ? KG_OK
@@ -135,38 +153,31 @@ static kg_status find_along(finder *f, int32_t edge) {
     const crease *e = &f->creases[edge];
     kg_status status = KG_OK;
     for (int side = 0; side < 2; side++)
-        for (size_t i = f->rows->starts[e->loops[side]];
-             i < f->rows->starts[e->loops[side] + 1] && !status; i++) {
-            int32_t loop = kg_row_other(f->rows, i), first = f->state->loops.items[loop].first,
-                    h = first;
-            do {
-                int32_t other = h >> 1;
-                if (other > edge && f->seen[other] != edge) {
-                    f->seen[other] = edge;
-                    status = compare(f, edge, other);
-                }
-            } while (!status && (h = kg_next(f->state, h)) != first);
-        }
+        for (size_t w = 0; w < f->state->layers.words; w++)
+            for (uint64_t bits = kg_layer_any(f->state, e->loops[side], w); bits != 0 && !status;) {
+                int32_t loop = (int32_t)(64 * w) + kg_bit_next(&bits),
+                        first = f->state->loops.items[loop].first, h = first;
+                do {
+                    int32_t other = h >> 1;
+                    if (other > edge && f->seen[other] != edge) {
+                        f->seen[other] = edge;
+                        status = compare(f, edge, other);
+                    }
+                } while (!status && (h = kg_next(f->state, h)) != first);
+            }
     return status;
 }
 
-/* ---- all -------------------------------------------------------------------------------- */
-
-kg_status kg_conditions_find(const kg_origami_state *s, const kg_outlines *o,
-                             const kg_layer_rows *rows, kg_conditions *out) {
+kg_status kg_conditions_find(const kg_origami_state *s, const kg_outlines *o, kg_conditions *out) {
     kg_conditions conditions = {0};
     finder f = {.state = s,
                 .outlines = o,
-                .rows = rows,
                 .tolerance = s->touch,
-                .creases = malloc((s->edges.count + 1) * sizeof *f.creases),
                 .seen = malloc((s->edges.count + 1) * sizeof *f.seen),
                 .out = &conditions};
-    kg_status status = f.creases && f.seen ? KG_OK : KG_ERR_MEMORY;
-    for (size_t e = 0; e < s->edges.count && !status; e++) {
-        f.creases[e] = crease_of(&f, (int32_t)e);
+    kg_status status = f.seen ? find_creases(&f) : KG_ERR_MEMORY;
+    for (size_t e = 0; e < s->edges.count && !status; e++)
         f.seen[e] = -1;
-    }
     for (size_t e = 0; e < s->edges.count && !status; e++) {
         if (!f.creases[e].valid)
             continue;
@@ -184,43 +195,118 @@ kg_status kg_conditions_find(const kg_origami_state *s, const kg_outlines *o,
     return KG_OK;
 }
 
+/* ---- checking orders -------------------------------------------------------------------- */
+
+/*
+ * Whatever breaks a condition at a taco lies between its halves, at least in part, and two
+ * tortillas on one line that break theirs lie on each other: so only those are looked at.
+ */
+
 /* "b lies above a"; 0 when they do not overlap */
-static int above(const kg_origami_state *s, const kg_outlines *o, int32_t a, int32_t b) {
-    return kg_origami_order(s, a, b) * o->facing[a];
+static int above(const finder *f, int32_t a, int32_t b) {
+    return kg_origami_order(f->state, a, b) * f->outlines->facing[a];
 }
 
-static bool is_met(const kg_origami_state *s, const kg_outlines *o, const kg_condition *c) {
-    if (c->kind == KG_CONDITION_SAME) {
-        int x = above(s, o, c->a, c->b), y = above(s, o, c->c, c->d);
-        return x == 0 || y == 0 || x == y;
+static kg_status passes(const finder *f, int32_t loop, const crease *e) {
+    return kg_fail(f->error, KG_ERR_INPUT, "face %d would pass through the joined faces %d and %d",
+                   loop, e->loops[0], e->loops[1]);
+}
+
+/* Loops whose orders with `loop` are to be looked at. */
+static uint64_t asked(const finder *f, int32_t loop, size_t word) {
+    return !f->moved ? ~(uint64_t)0 : kg_bit_at(f->moved, loop) ? ~f->moved[word] : f->moved[word];
+}
+
+/* Loop x lies between the halves of e; g is one of its edges. */
+static kg_status check_taco(const finder *f, int32_t edge, int32_t x, int32_t other) {
+    const crease *e = &f->creases[edge], *g = &f->creases[other];
+    bool turned;
+    if (!g->valid || share_loop(e, g) ||
+        !(edge < other ? coincide(f, e, g, &turned) : coincide(f, g, e, &turned)))
+        return KG_OK;
+    int flip = turned ? -1 : 1, at = g->loops[1] == x;
+    if (flip * g->sides[at] != e->sides[0])
+        return KG_OK;
+    if (!g->is_taco)
+        return passes(f, x, e);
+    int32_t y = g->loops[!at];
+    if (above(f, e->loops[0], y) * above(f, e->loops[1], y) <= 0)
+        return KG_OK;
+    return kg_fail(f->error, KG_ERR_INPUT,
+                   "the joined faces %d and %d would pass through the joined faces %d and %d",
+                   e->loops[0], e->loops[1], g->loops[0], g->loops[1]);
+}
+
+/* Loop x lies on the half `end` of e, which goes on flat; g is one of its edges. */
+static kg_status check_tortilla(const finder *f, int32_t edge, int end, int32_t x, int32_t other) {
+    const crease *e = &f->creases[edge], *g = &f->creases[other];
+    bool turned;
+    if (!g->valid || g->is_taco || share_loop(e, g) ||
+        !(edge < other ? coincide(f, e, g, &turned) : coincide(f, g, e, &turned)))
+        return KG_OK;
+    int flip = turned ? -1 : 1, at = g->loops[1] == x;
+    bool crosses = flip * g->sides[at] == e->sides[end] &&
+                   above(f, e->loops[end], x) * above(f, e->loops[!end], g->loops[!at]) < 0;
+    return crosses ? passes(f, x, e) : KG_OK;
+}
+
+/* What lies between the halves of an edge, or is above one and below the other. */
+static kg_status check_between(const finder *f, int32_t edge) {
+    const kg_origami_state *s = f->state;
+    const crease *e = &f->creases[edge];
+    int32_t a = e->loops[0], b = e->loops[1];
+    const uint64_t *up[2] = {kg_layer_pile(s, f->outlines, a, 1),
+                             kg_layer_pile(s, f->outlines, b, 1)},
+                   *down[2] = {kg_layer_pile(s, f->outlines, a, -1),
+                               kg_layer_pile(s, f->outlines, b, -1)};
+    for (size_t w = 0; w < s->layers.words; w++) {
+        uint64_t bits =
+            ((up[0][w] & down[1][w]) | (down[0][w] & up[1][w])) & (asked(f, a, w) | asked(f, b, w));
+        while (bits != 0) {
+            int32_t x = (int32_t)(64 * w) + kg_bit_next(&bits), first = s->loops.items[x].first,
+                    h = first;
+            kg_status status = runs_inside(f, e, x) ? passes(f, x, e) : KG_OK;
+            do
+                status = status || !e->is_taco ? status : check_taco(f, edge, x, h >> 1);
+            while (!status && (h = kg_next(s, h)) != first);
+            if (status)
+                return status;
+        }
     }
-    return above(s, o, c->a, c->c) * above(s, o, c->b, c->c) * above(s, o, c->a, c->d) *
-               above(s, o, c->b, c->d) >=
-           0;
+    return KG_OK;
 }
 
-kg_status kg_layers_check(const kg_origami_state *s, const kg_outlines *o, kg_error *error) {
-    kg_layer_rows rows;
-    kg_conditions conditions = {0};
-    kg_status status = kg_layer_rows_create(s, o, &rows);
-    if (status)
-        return status;
-    status = kg_conditions_find(s, o, &rows, &conditions);
-    for (size_t i = 0; i < conditions.count && !status; i++) {
-        const kg_condition *c = &conditions.items[i];
-        if (is_met(s, o, c))
+/* What lies on an edge that is flat. */
+static kg_status check_across(const finder *f, int32_t edge) {
+    const kg_origami_state *s = f->state;
+    const crease *e = &f->creases[edge];
+    for (int end = 0; end < 2 && !e->is_taco; end++)
+        for (size_t w = 0; w < s->layers.words; w++)
+            for (uint64_t bits =
+                     kg_layer_any(f->state, e->loops[end], w) & asked(f, e->loops[end], w);
+                 bits != 0;) {
+                int32_t x = (int32_t)(64 * w) + kg_bit_next(&bits), first = s->loops.items[x].first,
+                        h = first;
+                do {
+                    kg_status status = check_tortilla(f, edge, end, x, h >> 1);
+                    if (status)
+                        return status;
+                } while ((h = kg_next(s, h)) != first);
+            }
+    return KG_OK;
+}
+
+kg_status kg_layers_check(const kg_origami_state *s, const kg_outlines *o, const uint64_t *moved,
+                          kg_error *error) {
+    finder f = {.state = s, .outlines = o, .tolerance = s->touch, .moved = moved, .error = error};
+    kg_status status = find_creases(&f);
+    for (size_t e = 0; e < s->edges.count && !status; e++) {
+        if (!f.creases[e].valid)
             continue;
-        if (c->kind == KG_CONDITION_TACOS)
-            status = kg_fail(error, KG_ERR_INPUT,
-                             "the joined faces %d and %d would pass through the joined faces %d "
-                             "and %d",
-                             c->a, c->b, c->c, c->d);
-        else
-            status =
-                kg_fail(error, KG_ERR_INPUT,
-                        "face %d would pass through the joined faces %d and %d", c->b, c->a, c->c);
+        status = check_between(&f, (int32_t)e);
+        if (!status)
+            status = check_across(&f, (int32_t)e);
     }
-    free(conditions.items);
-    kg_layer_rows_clear(&rows);
+    free(f.creases);
     return status;
 }

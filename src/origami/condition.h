@@ -14,7 +14,7 @@
 #ifndef KG_ORIGAMI_CONDITION_H
 #define KG_ORIGAMI_CONDITION_H
 
-#include "origami/outline.h"
+#include "origami/layers.h"
 
 /* Of pairs (a, b), "b lies above a" along the group's normal. */
 typedef enum kg_condition_kind {
@@ -37,10 +37,11 @@ typedef struct kg_conditions {
 /* All conditions at the edges of one state, between loops of one group. Orders need not be right;
  * only which pairs there are counts. */
 kg_status kg_conditions_find(const kg_origami_state *state, const kg_outlines *outlines,
-                             const kg_layer_rows *rows, kg_conditions *out);
+                             kg_conditions *out);
 
-/* KG_ERR_INPUT with the first condition that the orders do not meet. */
+/* KG_ERR_INPUT with a condition that the orders do not meet. Of a row of bits of loops, `moved`,
+ * only the orders between those and others are looked at; NULL: all of them. */
 kg_status kg_layers_check(const kg_origami_state *state, const kg_outlines *outlines,
-                          kg_error *error);
+                          const uint64_t *moved, kg_error *error);
 
 #endif

@@ -1,4 +1,5 @@
 /* Copies of origamis, and whether two are the same. */
+#include "origami/layers.h"
 #include "origami/origami.h"
 
 #include <jansson.h>
@@ -83,7 +84,7 @@ static bool same_state(const kg_origami_state *a, const kg_origami_state *b) {
             return false;
     }
     return a->vertices.count == b->vertices.count && SAME(halves) && SAME(loops) && SAME(groups) &&
-           SAME(orders);
+           kg_layers_equal(a, b);
 }
 
 bool kg_origami_equal(const kg_origami *a, const kg_origami *b) {

@@ -69,7 +69,7 @@ static int32_t loop_before(const cutting *c, int32_t loop) {
 static kg_status cut_loops(const kg_folding *f, cutting *c) {
     size_t loops = f->state->loops.count, vertices = f->state->vertices.count;
     c->before = f->state;
-    c->state = kg_state_copy(f->state, false);
+    c->state = kg_state_copy(f->state);
     c->parts.children = malloc((loops + 1) * sizeof *c->parts.children);
     c->parts.moves = calloc(2 * loops + 1, sizeof *c->parts.moves);
     if (!c->state || !c->parts.children || !c->parts.moves || !kg_reserve(&c->sides, vertices))

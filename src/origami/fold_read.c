@@ -189,6 +189,8 @@ static kg_status take_orders(kg_reader *p, const json_t *list, const kg_pattern 
     if ((size_t)faces + 1 != pattern->faces.starts.count)
         return KG_OK; /* divided faces: let the solver find them */
     kg_status status = kg_outlines_create(s, &o);
+    if (!status)
+        status = kg_layers_create(s);
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *row = json_array_get(list, i);
         int32_t v[3];
@@ -200,23 +202,19 @@ static kg_status take_orders(kg_reader *p, const json_t *list, const kg_pattern 
             status = kg_read_fail(p, "face %d cannot lie on itself", v[0]);
         kg_read_leave(p);
         if (!status && v[2] != 0 && s->loops.items[v[0]].group == s->loops.items[v[1]].group &&
-            kg_outlines_overlap(&o, v[0], v[1], s->touch))
-            status = kg_orders_add(s, &o, v[1], v[0], v[2] * o.facing[v[1]]);
+            kg_outlines_overlap(&o, v[0], v[1], s->touch)) {
+            if (kg_origami_order(s, v[1], v[0]) != 0)
+                status = kg_read_fail(p, "faces %d and %d are ordered twice", v[1], v[0]);
+            kg_layer_put(s, &o, v[1], v[0], v[2] * o.facing[v[1]]);
+        }
     }
-    if (!status)
-        status = kg_orders_sort(s);
-    for (size_t i = 1; i < s->orders.count && !status; i++)
-        if (s->orders.items[i].a == s->orders.items[i - 1].a &&
-            s->orders.items[i].b == s->orders.items[i - 1].b)
-            status = kg_read_fail(p, "faces %d and %d are ordered twice", s->orders.items[i].a,
-                                  s->orders.items[i].b);
     *out_complete = true;
     for (int32_t a = 0; a < faces && !status && *out_complete; a++)
         for (int32_t b = a + 1; b < faces && *out_complete; b++)
             *out_complete = s->loops.items[a].group != s->loops.items[b].group ||
                             !kg_outlines_overlap(&o, a, b, s->touch) || kg_origami_order(s, a, b);
     if (!status && *out_complete)
-        status = kg_layers_check(s, &o, p->error);
+        status = kg_layers_check(s, &o, NULL, p->error);
     kg_outlines_clear(&o);
     return status;
 }

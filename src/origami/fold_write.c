@@ -87,10 +87,9 @@ static void write_positions(const kg_origami_state *s, json_t *frame) {
     for (size_t i = 0; i < s->vertices.count; i++)
         json_array_append_new(points, numbers(&s->vertices.items[i].position.x, 3));
     /* [f, g, s]: f on the side s of g's front */
-    for (size_t i = 0; i < s->orders.count; i++) {
-        const kg_layer_order *o = &s->orders.items[i];
-        json_array_append_new(orders, json_pack("[i,i,i]", o->b, o->a, o->side));
-    }
+    kg_layer_order o = {0};
+    while (kg_origami_next_order(s, &o))
+        json_array_append_new(orders, json_pack("[i,i,i]", o.b, o.a, o.side));
     json_object_set_new(frame, "vertices_coords", points);
     json_object_set_new(frame, "faceOrders", orders);
 }

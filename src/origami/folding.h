@@ -23,12 +23,13 @@ typedef struct kg_folding {
     const kg_origami_state *state; /* the one it starts from */
     kg_fold_axis axis;
     kg_outlines outlines;
-    kg_layer_bits layers; /* in the axis' group only what lies on the side it folds to */
     signed char *sides; /* of vertices in the group's plane: 1 moving side, -1, 0 on the axis; -2 in
                            other planes */
     signed char *reach; /* of loops in the group, bits: 1 some corner beyond the axis, 2 some on the
                            resting side */
     bool *moves;        /* loops that move; those across the axis with their part beyond it */
+    uint64_t *open;     /* bits of loops that do not move but could: all in other planes, in the
+                           group those with a corner beyond the axis */
     kg_fold_blame blame;
 } kg_folding;
 
@@ -37,6 +38,8 @@ kg_status kg_folding_create(const kg_origami_state *state, const kg_fold *fold, 
                             kg_error *error);
 void kg_folding_clear(kg_folding *folding);
 
+/* Nothing moves yet. */
+void kg_folding_rest(kg_folding *folding);
 /* Finds out what moves: the picked layers at the vertex and all that follows from them. */
 kg_status kg_folding_pick(kg_folding *folding, const kg_fold *fold, kg_error *error);
 /* Adds a loop and everything that must move along with it: what is joined beyond the axis and what

@@ -2,18 +2,29 @@
 #include "origami/condition.h"
 #include "origami/convex.h"
 #include "origami/folding.h"
+#include "origami/overlap.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct landing {
     const kg_folding *folding;
     const kg_fold_parts *parts;
     kg_origami_state *after;
     kg_outlines outlines; /* of `after` */
-    kg_layer_bits layers; /* of `after`: each pair in the row of its smaller loop */
-    int32_t *resting;     /* loops that do not move */
-    size_t resting_count;
-    bool *upper; /* loops that the fold ends below, when it ends between two; else NULL */
+    kg_overlaps overlaps;
+    bool inserts;   /* it ends between two layers */
+    bool elsewhere; /* paper comes to lie on other paper beside the fold's own plane */
+    /* rows of bits, of loops after */
+    uint64_t *moving, *resting;
+    uint64_t *own;    /* that move, and were and are in the fold's own plane */
+    uint64_t *raised; /* that move and come from above wherever they lie on others */
+    uint64_t *single; /* that move and have to be looked at with each that they lie on */
+    uint64_t *upper;  /* that the fold ends below, when it ends between two */
+    uint64_t *wanted[2], *found;
+    /* of loops before */
+    uint64_t *whole[2]; /* not cut: that rest, that move */
+    uint64_t *cut;
     kg_error *error;
 } landing;
 
@@ -25,70 +36,71 @@ static int32_t loop_before(const landing *l, int32_t loop) {
     return kg_loop_in(l->folding->state, l->after, loop);
 }
 
-/* b lies above (1) or below (-1) a */
-static void put(landing *l, int32_t a, int32_t b, int above) {
-    if (a < b)
-        kg_layer_put(&l->layers, a, b, above);
-    else
-        kg_layer_put(&l->layers, b, a, -above);
-}
-
 /* ---- orders that stay ------------------------------------------------------------------- */
 
-static void keep(landing *l, int32_t a, int32_t b, int side) {
-    if (kg_outlines_overlap(&l->outlines, a, b, l->after->touch))
-        put(l, a, b, side * l->outlines.facing[a]);
-}
-
-/* An order between two loops that stay or move together holds for their parts. */
-static void keep_orders(landing *l) {
+/* An order between two loops that stay or move together holds for their parts: at once for those
+ * that are whole, for the others when they overlap. Fills in a row, of what was cut only the bits
+ * behind the loop's own. */
+static void keep_orders(landing *l, int32_t loop) {
     const kg_origami_state *before = l->folding->state;
     const int32_t *children = l->parts->children;
-    const bool *moves = l->parts->moves;
-    for (size_t i = 0; i < before->orders.count; i++) {
-        kg_layer_order o = before->orders.items[i];
-        int32_t a = children[o.a], b = children[o.b];
-        if (a < 0 && b < 0) {
-            /* no branch: which loops move follows no pattern */
-            uint64_t *row = kg_layer_row(&l->layers, o.a, o.side * l->outlines.facing[o.a]);
-            row[o.b >> 6] |= (uint64_t)(moves[o.a] == moves[o.b]) << (o.b & 63);
-            continue;
+    bool moves = l->parts->moves[loop];
+    int32_t old = loop_before(l, loop);
+    bool whole = children[old] < 0;
+    size_t words = before->layers.words, first = (size_t)loop / 64;
+    for (int k = 0; k < 2; k++) {
+        const uint64_t *from = kg_layer_row(before, old, 2 * k - 1);
+        uint64_t *to = kg_layer_row(l->after, loop, 2 * k - 1);
+        memset(l->wanted[k], 0, l->after->layers.words * sizeof *l->wanted[k]);
+        for (size_t w = 0; w < words; w++) {
+            uint64_t same = from[w] & l->whole[moves][w], parts = from[w] & l->cut[w];
+            *(whole ? &to[w] : &l->wanted[k][w]) |= same;
+            if (!moves)
+                l->wanted[k][w] |= parts;
+            else
+                while (parts != 0)
+                    kg_bit_set(l->wanted[k], children[64 * w + (size_t)kg_bit_next(&parts)]);
         }
-        if (!moves[o.a] && !moves[o.b])
-            keep(l, o.a, o.b, o.side);
-        a = a < 0 ? o.a : a, b = b < 0 ? o.b : b;
-        if (moves[a] && moves[b])
-            keep(l, a, b, o.side);
+        l->wanted[k][first] &= ~(uint64_t)1 << (loop & 63);
+    }
+    uint64_t *back = kg_layer_row(l->after, loop, -1), *front = kg_layer_row(l->after, loop, 1);
+    for (size_t w = first; w < l->after->layers.words; w++)
+        l->found[w] = l->wanted[0][w] | l->wanted[1][w];
+    kg_overlaps_find(&l->overlaps, loop, l->found, first, l->found);
+    for (size_t w = first; w < l->after->layers.words; w++) {
+        back[w] |= l->found[w] & l->wanted[0][w];
+        front[w] |= l->found[w] & l->wanted[1][w];
     }
 }
 
 /* ---- between two layers ----------------------------------------------------------------- */
 
+typedef struct stack {
+    int32_t *items;
+    size_t count, capacity;
+} stack;
+
+static bool raise(landing *l, stack *todo, int32_t loop) {
+    kg_bit_set(l->upper, loop);
+    return kg_push(todo, loop);
+}
+
 /* Adds to `upper` what lies above its loops or goes on flat from them. */
-static kg_status spread_up(landing *l, const kg_layer_rows *rows, int32_t start) {
+static kg_status spread_up(landing *l, int32_t start) {
     const kg_origami_state *s = l->after;
-    struct {
-        int32_t *items;
-        size_t count, capacity;
-    } todo = {0};
-    l->upper[start] = true;
-    bool ok = kg_push(&todo, start);
+    stack todo = {0};
+    bool ok = raise(l, &todo, start);
     while (ok && todo.count > 0) {
         int32_t loop = todo.items[--todo.count], first = s->loops.items[loop].first, h = first;
-        for (size_t k = rows->starts[loop]; k < rows->starts[loop + 1] && ok; k++) {
-            int32_t other = kg_row_other(rows, k);
-            if (kg_row_above(rows, k) != 1 || l->parts->moves[other] || l->upper[other])
-                continue;
-            l->upper[other] = true;
-            ok = kg_push(&todo, other);
-        }
+        const uint64_t *row = kg_layer_pile(s, &l->outlines, loop, 1);
+        for (size_t w = 0; w < s->layers.words; w++)
+            for (uint64_t more = row[w] & l->resting[w] & ~l->upper[w]; ok && more != 0;)
+                ok = raise(l, &todo, (int32_t)(64 * w) + kg_bit_next(&more));
         do {
             int32_t other = kg_loop_of(s, kg_twin(h));
-            if (other < 0 || s->edges.items[h >> 1].angle != 0 || l->parts->moves[other] ||
-                l->upper[other])
-                continue;
-            l->upper[other] = true;
-            ok = ok && kg_push(&todo, other);
+            if (ok && other >= 0 && s->edges.items[h >> 1].angle == 0 && !l->parts->moves[other] &&
+                !kg_bit_at(l->upper, other))
+                ok = raise(l, &todo, other);
         } while ((h = kg_next(s, h)) != first);
     }
     free(todo.items);
@@ -96,9 +108,6 @@ static kg_status spread_up(landing *l, const kg_layer_rows *rows, int32_t start)
 }
 
 static kg_status find_upper(landing *l, const int32_t between[2]) {
-    kg_status written = kg_layer_bits_write(&l->layers, &l->outlines, l->after);
-    if (written)
-        return written;
     const kg_origami_state *s = l->after;
     size_t loops = l->folding->state->loops.count;
     for (int k = 0; k < 2; k++)
@@ -113,17 +122,21 @@ static kg_status find_upper(landing *l, const int32_t between[2]) {
         return kg_fail(l->error, KG_ERR_INPUT,
                        "faces %d and %d do not lie on each other where the fold ends", between[0],
                        between[1]);
-    l->upper = calloc(s->loops.count + 1, sizeof *l->upper);
-    kg_layer_rows rows;
-    kg_status status = l->upper ? kg_layer_rows_create(s, &l->outlines, &rows) : KG_ERR_MEMORY;
-    if (status)
-        return status;
-    status = spread_up(l, &rows, between[order > 0]);
-    kg_layer_rows_clear(&rows);
-    if (!status && l->upper[between[order < 0]])
+    kg_status status = spread_up(l, between[order > 0]);
+    if (!status && kg_bit_at(l->upper, between[order < 0]))
         return kg_fail(l->error, KG_ERR_INPUT, "faces %d and %d are joined: nothing goes between",
                        between[0], between[1]);
     return status;
+}
+
+/* Whether something that moves in the fold's own plane came to lie on one of the two. */
+static bool is_inserted(const landing *l, const int32_t between[2]) {
+    uint64_t any = 0;
+    for (int k = 0; k < 2; k++)
+        for (size_t w = 0; w < l->after->layers.words; w++)
+            any |= l->own[w] & (kg_layer_row(l->after, between[k], 1)[w] |
+                                kg_layer_row(l->after, between[k], -1)[w]);
+    return any != 0;
 }
 
 /* ---- orders that are new ---------------------------------------------------------------- */
@@ -163,82 +176,149 @@ static kg_status arrival(const landing *l, int32_t moving, int32_t resting, int 
     return KG_OK;
 }
 
-/* Orders of one moving loop with all at rest in its group. `*inserted` when it comes to lie between
- * the two chosen loops. */
-static kg_status land_loop(landing *l, int32_t moving, const int32_t between[2], bool *inserted,
-                           bool *elsewhere) {
+/* Its plane holds the axis: it arrives the same way everywhere. */
+static bool is_through_axis(const landing *l, int32_t loop) {
     const kg_origami_state *s = l->after;
     const kg_fold_axis *a = &l->folding->axis;
-    int32_t group = s->loops.items[moving].group;
-    const kg_face_group *g = &s->groups.items[group];
-    bool through_axis = fabs(kg_dot(g->normal, a->axis)) < KG_ON_PLANE &&
-                        fabs(kg_dot(g->normal, a->origin) - g->offset) < KG_ON_PLANE * s->size;
-    bool own = is_flat(a) && group == a->group &&
-               l->folding->state->loops.items[loop_before(l, moving)].group == a->group;
-    /* in a plane through the axis it arrives the same way everywhere */
-    int common = through_axis ? arrival_at(l, moving, l->outlines.middles[moving]) : 0;
-    for (size_t i = 0; i < l->resting_count; i++) {
-        int32_t resting = l->resting[i];
-        if (s->loops.items[resting].group != group ||
-            !kg_outlines_overlap(&l->outlines, moving, resting, s->touch))
-            continue;
-        int above = common;
-        kg_status status = through_axis ? KG_OK : arrival(l, moving, resting, &above);
-        if (status)
-            return status;
-        if (own && l->upper) {
-            above = l->upper[resting] ? -1 : 1;
-            *inserted |= resting == between[0] || resting == between[1];
-        } else if (above == 0) { /* it slid: an old order holds */
-            int32_t old = loop_before(l, resting);
-            above = kg_origami_order(l->folding->state, old, loop_before(l, moving)) *
-                    l->outlines.facing[resting];
-            if (above == 0)
-                return kg_fail(l->error, KG_ERR_INPUT,
-                               "face %d would slide edge on into face %d, in its plane",
-                               loop_before(l, moving), old);
+    const kg_face_group *g = &s->groups.items[s->loops.items[loop].group];
+    return fabs(kg_dot(g->normal, a->axis)) < KG_ON_PLANE &&
+           fabs(kg_dot(g->normal, a->origin) - g->offset) < KG_ON_PLANE * s->size;
+}
+
+/* Orders with all at rest of a loop that slides, or arrives in different ways. */
+static kg_status land_alone(landing *l, int32_t moving) {
+    kg_origami_state *s = l->after;
+    bool slides = is_through_axis(l, moving);
+    kg_overlaps_find(&l->overlaps, moving, l->resting, 0, l->found);
+    for (size_t w = 0; w < s->layers.words; w++)
+        for (uint64_t bits = l->found[w]; bits != 0;) {
+            int32_t resting = (int32_t)(64 * w) + kg_bit_next(&bits);
+            int above = 0;
+            kg_status status = slides ? KG_OK : arrival(l, moving, resting, &above);
+            if (status)
+                return status;
+            if (above == 0) { /* it slid: an old order holds */
+                int32_t old = loop_before(l, resting);
+                above = kg_origami_order(l->folding->state, old, loop_before(l, moving)) *
+                        l->outlines.facing[resting];
+                if (above == 0)
+                    return kg_fail(l->error, KG_ERR_INPUT,
+                                   "face %d would slide edge on into face %d, in its plane",
+                                   loop_before(l, moving), old);
+            }
+            l->elsewhere |= !kg_bit_at(l->own, moving);
+            kg_layer_put(s, &l->outlines, resting, moving, above);
         }
-        *elsewhere |= !own;
-        put(l, resting, moving, above);
-    }
     return KG_OK;
+}
+
+/* Orders of one loop with later ones, of which one moves and the other rests. */
+static void land(landing *l, int32_t loop) {
+    const kg_origami_state *s = l->after;
+    bool moves = l->parts->moves[loop], own = kg_bit_at(l->own, loop),
+         upper = l->inserts && kg_bit_at(l->upper, loop), raised = kg_bit_at(l->raised, loop);
+    size_t first = (size_t)loop / 64, words = s->layers.words;
+    if (kg_bit_at(l->single, loop))
+        return;
+    for (size_t w = first; w < words; w++)
+        l->wanted[0][w] = moves ? l->resting[w] : l->moving[w] & ~l->single[w];
+    l->wanted[0][first] &= ~(uint64_t)1 << (loop & 63);
+    kg_overlaps_find(&l->overlaps, loop, l->wanted[0], first, l->found);
+    uint64_t *below = kg_layer_pile(s, &l->outlines, loop, -1),
+             *above = kg_layer_pile(s, &l->outlines, loop, 1);
+    for (size_t w = first; w < words; w++) {
+        uint64_t found = l->found[w], higher;
+        if (moves)
+            higher = own && l->inserts ? l->upper[w] : raised ? 0 : ~(uint64_t)0;
+        else
+            higher =
+                !l->inserts ? l->raised[w] : (l->raised[w] & ~l->own[w]) | (upper ? 0 : l->own[w]);
+        above[w] |= found & higher;
+        below[w] |= found & ~higher;
+        l->elsewhere |= (found & ~(moves ? own ? ~(uint64_t)0 : 0 : l->own[w])) != 0;
+    }
+}
+
+/* ---- all -------------------------------------------------------------------------------- */
+
+/* Which loops move, and how they arrive. */
+static void mark(landing *l) {
+    const kg_origami_state *s = l->after, *before = l->folding->state;
+    const kg_fold_axis *a = &l->folding->axis;
+    for (size_t i = 0; i < before->loops.count; i++)
+        kg_bit_set(l->parts->children[i] >= 0 ? l->cut : l->whole[l->parts->moves[i]], (int32_t)i);
+    for (int32_t i = 0; i < (int32_t)s->loops.count; i++) {
+        kg_bit_set(l->parts->moves[i] ? l->moving : l->resting, i);
+        if (!l->parts->moves[i])
+            continue;
+        int32_t group = s->loops.items[i].group;
+        bool own = is_flat(a) && group == a->group &&
+                   before->loops.items[loop_before(l, i)].group == a->group;
+        int way = is_through_axis(l, i) ? arrival_at(l, i, l->outlines.middles[i]) : 0;
+        if (own)
+            kg_bit_set(l->own, i);
+        if (way > 0)
+            kg_bit_set(l->raised, i);
+        else if (way == 0 && !(own && l->inserts))
+            kg_bit_set(l->single, i);
+    }
+}
+
+/* One block for all rows of bits. */
+static uint64_t *create_rows(landing *l) {
+    uint64_t **rows[] = {&l->moving, &l->resting,  &l->own,       &l->raised,
+                         &l->single, &l->upper,    &l->wanted[0], &l->wanted[1],
+                         &l->found,  &l->whole[0], &l->whole[1],  &l->cut};
+    size_t words = l->after->layers.words, count = sizeof rows / sizeof *rows;
+    uint64_t *block = calloc(count * words, sizeof *block);
+    for (size_t i = 0; i < count && block; i++)
+        *rows[i] = block + i * words;
+    return block;
+}
+
+static kg_status find_orders(landing *l, const int32_t between[2]) {
+    int32_t loops = (int32_t)l->after->loops.count;
+    kg_status status = KG_OK;
+    mark(l);
+    for (int32_t i = 0; i < loops; i++)
+        keep_orders(l, i);
+    if (l->inserts) {
+        kg_layers_mirror(l->after, &l->outlines);
+        status = find_upper(l, between);
+    }
+    for (int32_t i = 0; i < loops && !status; i++)
+        land(l, i);
+    kg_layers_mirror(l->after, &l->outlines);
+    for (int32_t i = 0; i < loops && !status; i++)
+        if (kg_bit_at(l->single, i))
+            status = land_alone(l, i);
+    if (!status && l->inserts && !is_inserted(l, between))
+        status = kg_fail(l->error, KG_ERR_INPUT, "the fold does not end between faces %d and %d",
+                         between[0], between[1]);
+    /* the rules of what moves keep layers from crossing, but not where they go between others or
+     * meet those of other planes */
+    if (!status && (l->inserts || l->elsewhere))
+        status = kg_layers_check(l->after, &l->outlines, l->moving, l->error);
+    return status;
 }
 
 kg_status kg_fold_land(const kg_folding *folding, const kg_fold *fold, const kg_fold_parts *parts,
                        kg_origami_state *after, kg_error *error) {
-    landing l = {.folding = folding, .parts = parts, .after = after, .error = error};
-    bool inserts = fold->between[0] >= 0 || fold->between[1] >= 0, inserted = false,
-         elsewhere = false;
-    kg_status status = kg_outlines_create(after, &l.outlines);
+    landing l = {.folding = folding,
+                 .parts = parts,
+                 .after = after,
+                 .inserts = fold->between[0] >= 0 || fold->between[1] >= 0,
+                 .error = error};
+    kg_status status = kg_layers_create(after);
     if (!status)
-        status = kg_layer_bits_create(after->loops.count, &l.layers);
-    l.resting = malloc((after->loops.count + 1) * sizeof *l.resting);
-    if (!l.resting)
-        status = KG_ERR_MEMORY;
-    for (size_t i = 0; i < after->loops.count && !status; i++)
-        if (!parts->moves[i])
-            l.resting[l.resting_count++] = (int32_t)i;
-    if (!status) {
-        kg_outlines_probe(&l.outlines, after);
-        keep_orders(&l);
-    }
-    if (!status && inserts)
-        status = find_upper(&l, fold->between);
-    for (size_t i = 0; i < after->loops.count && !status; i++)
-        if (parts->moves[i])
-            status = land_loop(&l, (int32_t)i, fold->between, &inserted, &elsewhere);
-    if (!status && inserts && !inserted)
-        status = kg_fail(error, KG_ERR_INPUT, "the fold does not end between faces %d and %d",
-                         fold->between[0], fold->between[1]);
+        status = kg_outlines_create(after, &l.outlines);
     if (!status)
-        status = kg_layer_bits_write(&l.layers, &l.outlines, after);
-    /* the rules of what moves keep layers from crossing, but not where they go between others or
-     * meet those of other planes */
-    if (!status && (inserts || elsewhere))
-        status = kg_layers_check(after, &l.outlines, error);
+        status = kg_overlaps_create(after, &l.outlines, &l.overlaps);
+    uint64_t *rows = status ? NULL : create_rows(&l);
+    if (!status)
+        status = rows ? find_orders(&l, fold->between) : KG_ERR_MEMORY;
+    free(rows);
+    kg_overlaps_clear(&l.overlaps);
     kg_outlines_clear(&l.outlines);
-    kg_layer_bits_clear(&l.layers);
-    free(l.resting);
-    free(l.upper);
     return status;
 }

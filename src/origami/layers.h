@@ -1,37 +1,49 @@
 /*
- * Orders as rows of bits: smaller and faster than lists in stacks, where most pairs overlap. Takes
- * half a byte for each two loops that there are, overlapping or not: 50 MB for 10,000.
+ * Which loops lie on each other, as rows of bits: of each loop what lies on its back and what lies
+ * on its front. Loops that move together keep their rows; in stacks, where most pairs overlap, a
+ * bit is a hundredth of an entry of a list. Half a byte for each two loops that there are: 25 MB
+ * for 10,000.
  */
 #ifndef KG_ORIGAMI_LAYERS_H
 #define KG_ORIGAMI_LAYERS_H
 
 #include "origami/outline.h"
 
-typedef struct kg_layer_bits {
-    size_t count, words; /* loops; words of one row */
-    uint64_t *rows;      /* two for each loop: what lies below it, what lies above */
-} kg_layer_bits;
+/* No loops on each other, with room for those that there are. KG_ERR_MEMORY. */
+kg_status kg_layers_create(kg_origami_state *state);
 
-/* No loops on each other. KG_ERR_MEMORY. */
-kg_status kg_layer_bits_create(size_t loops, kg_layer_bits *out);
-/* The orders of a state: each pair in the rows of both loops, but in `group` only what lies on the
- * side `above` of a loop in the row of that one. KG_ERR_MEMORY. */
-kg_status kg_layer_bits_read(const kg_origami_state *state, const kg_outlines *outlines,
-                             int32_t group, int above, kg_layer_bits *out);
-/* Makes the rows the orders of a state; only pairs in the rows of their smaller loop count.
- * KG_ERR_MEMORY. */
-kg_status kg_layer_bits_write(const kg_layer_bits *bits, const kg_outlines *outlines,
-                              kg_origami_state *state);
-void kg_layer_bits_clear(kg_layer_bits *bits);
+/* No loops on each other any more. */
+void kg_layers_empty(kg_origami_state *state);
 
-/* What lies on a loop along the group's normal (`above` 1) or against it (-1). */
-static inline uint64_t *kg_layer_row(const kg_layer_bits *bits, int32_t loop, int above) {
-    return bits->rows + (2 * (size_t)loop + (above > 0)) * bits->words;
+/* Words of a row of bits, one for each loop. */
+static inline size_t kg_layer_words(size_t loops) {
+    return loops / 64 + 1;
 }
 
-/* b lies above (1) or below (-1) a: in the row of a. */
-static inline void kg_layer_put(kg_layer_bits *bits, int32_t a, int32_t b, int above) {
-    kg_layer_row(bits, a, above)[b >> 6] |= (uint64_t)1 << (b & 63);
+/* What lies on the front of a loop (`side` 1) or on its back (-1). */
+static inline uint64_t *kg_layer_row(const kg_origami_state *s, int32_t loop, int side) {
+    return s->layers.bits + (2 * (size_t)loop + (side > 0)) * s->layers.words;
+}
+
+/* One word of what lies on a loop, on either side. */
+static inline uint64_t kg_layer_any(const kg_origami_state *s, int32_t loop, size_t word) {
+    return kg_layer_row(s, loop, -1)[word] | kg_layer_row(s, loop, 1)[word];
+}
+
+/* What lies on a loop along the group's normal (`above` 1) or against it (-1). */
+static inline uint64_t *kg_layer_pile(const kg_origami_state *s, const kg_outlines *o, int32_t loop,
+                                      int above) {
+    return kg_layer_row(s, loop, above * o->facing[loop]);
+}
+
+static inline bool kg_bit_at(const uint64_t *row, int32_t bit) {
+    return row[bit >> 6] >> (bit & 63) & 1;
+}
+static inline void kg_bit_set(uint64_t *row, int32_t bit) {
+    row[bit >> 6] |= (uint64_t)1 << (bit & 63);
+}
+static inline void kg_bit_unset(uint64_t *row, int32_t bit) {
+    row[bit >> 6] &= ~((uint64_t)1 << (bit & 63));
 }
 
 /* The lowest bit of a word that is not 0, taken out of it. */
@@ -40,5 +52,18 @@ static inline int32_t kg_bit_next(uint64_t *word) {
     *word &= *word - 1;
     return bit;
 }
+
+/* b lies above (1) or below (-1) a, along the group's normal: in the rows of both. */
+static inline void kg_layer_put(kg_origami_state *s, const kg_outlines *o, int32_t a, int32_t b,
+                                int above) {
+    kg_bit_set(kg_layer_pile(s, o, a, above), b);
+    kg_bit_set(kg_layer_pile(s, o, b, -above), a);
+}
+
+/* Of as many loops. */
+bool kg_layers_equal(const kg_origami_state *a, const kg_origami_state *b);
+
+/* Tells the later loops in every row what the row says of them. */
+void kg_layers_mirror(kg_origami_state *state, const kg_outlines *outlines);
 
 #endif

@@ -8,6 +8,7 @@
 #include "origami/convex.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct stack {
     int32_t *items;
@@ -22,10 +23,20 @@ static int side_of(const kg_folding *f, int32_t half) {
     return f->sides[f->state->halves.items[half].origin];
 }
 
+void kg_folding_rest(kg_folding *f) {
+    size_t loops = f->state->loops.count;
+    memset(f->moves, 0, loops * sizeof *f->moves);
+    memset(f->open, 0, kg_layer_words(loops) * sizeof *f->open);
+    for (size_t i = 0; i < loops; i++)
+        if (!in_group(f, (int32_t)i) || f->reach[i] & 1)
+            kg_bit_set(f->open, (int32_t)i);
+}
+
 static kg_status add(kg_folding *f, stack *todo, int32_t loop) {
     if (f->moves[loop])
         return KG_OK;
     f->moves[loop] = true;
+    kg_bit_unset(f->open, loop);
     return kg_push(todo, loop) ? KG_OK : KG_ERR_MEMORY;
 }
 
@@ -60,12 +71,9 @@ static kg_status follow_edge(kg_folding *f, stack *todo, int32_t half, kg_error 
     return add(f, todo, other);
 }
 
-/* Parts beyond the axis of two overlapping loops overlap. */
+/* Parts beyond the axis of two overlapping loops, which both have one, overlap. */
 static bool overlap_beyond(const kg_folding *f, int32_t a, int32_t b, kg_vec2 *scratch) {
-    int across_a = f->reach[a], across_b = f->reach[b];
-    if (!(across_b & 1))
-        return false;
-    if (!(across_a & 2) || !(across_b & 2))
+    if (!(f->reach[a] & 2) || !(f->reach[b] & 2))
         /* what is beyond as a whole overlaps the other one there and nowhere else */
         return true;
     kg_vec3 u, v;
@@ -100,12 +108,11 @@ static bool pushes(const kg_folding *f, int32_t loop, int32_t other, int above, 
 static kg_status follow_layers(kg_folding *f, stack *todo, int32_t loop, kg_vec2 *scratch) {
     int up = f->axis.angle > 0 ? 1 : -1;
     for (int above = -1; above <= 1; above += 2) {
-        const uint64_t *row = kg_layer_row(&f->layers, loop, above);
-        for (size_t w = 0; w < f->layers.words && (above == up || !in_group(f, loop)); w++)
-            for (uint64_t bits = row[w]; bits != 0;) {
+        const uint64_t *row = kg_layer_pile(f->state, &f->outlines, loop, above);
+        for (size_t w = 0; w < f->state->layers.words && (above == up || !in_group(f, loop)); w++)
+            for (uint64_t bits = row[w] & f->open[w]; bits != 0;) {
                 int32_t other = (int32_t)(64 * w) + kg_bit_next(&bits);
-                if (!f->moves[other] &&
-                    (in_group(f, loop) ? overlap_beyond(f, loop, other, scratch)
+                if ((in_group(f, loop) ? overlap_beyond(f, loop, other, scratch)
                                        : pushes(f, loop, other, above, scratch)) &&
                     add(f, todo, other))
                     return KG_ERR_MEMORY;

@@ -48,7 +48,7 @@ static kg_status count_layers(kg_folding *f, const kg_fold *fold, kg_fold_previe
                 p->layers[i] = p->layer_count;
         one.face = -1;
     }
-    memset(f->moves, 0, loops * sizeof *f->moves);
+    kg_folding_rest(f);
     f->blame = (kg_fold_blame){.faces = {-1, -1}};
     return status == KG_ERR_INPUT ? KG_OK : status;
 }
@@ -144,8 +144,8 @@ kg_status kg_fold_preview_make(const kg_origami_state *state, const kg_fold *fol
 static size_t find_landing(const kg_origami_state *after, const bool *moves, int32_t group,
                            int32_t out[MOST_LAYERS]) {
     size_t count = 0;
-    for (size_t i = 0; i < after->orders.count; i++) {
-        kg_layer_order o = after->orders.items[i];
+    kg_layer_order o = {0};
+    while (kg_origami_next_order(after, &o)) {
         if (moves[o.a] == moves[o.b] || after->loops.items[o.a].group != group)
             continue;
         int32_t resting = moves[o.a] ? o.b : o.a;
@@ -172,11 +172,6 @@ static bool are_neighbours(const kg_origami_state *s, const kg_fold_axis *axis,
     return true;
 }
 
-static bool same_orders(const kg_origami_state *a, const kg_origami_state *b) {
-    return a->orders.count == b->orders.count &&
-           memcmp(a->orders.items, b->orders.items, a->orders.count * sizeof *a->orders.items) == 0;
-}
-
 typedef struct gaps {
     kg_fold_gap *items;
     size_t count, capacity;
@@ -193,7 +188,7 @@ static kg_status try_gap(const kg_origami_state *state, const kg_fold *fold, kg_
         return status == KG_ERR_INPUT ? KG_OK : status;
     bool known = false;
     for (size_t i = 0; i < list->count; i++)
-        known |= same_orders(states[i], after);
+        known |= kg_layers_equal(states[i], after);
     if (known || list->count == MOST_LAYERS) {
         kg_state_destroy(after);
         return KG_OK;
@@ -240,7 +235,7 @@ static kg_status try_gaps(const kg_origami_state *state, const kg_fold *fold,
                           const bool *moves, gaps *list, kg_origami_state **states) {
     gaps candidates = {0};
     kg_status status = find_candidates(axis, after, moves, &candidates);
-    size_t most = MOST_ORDERS / (after->orders.count + 1);
+    size_t most = MOST_ORDERS / (kg_origami_pair_count(after) + 1);
     sort_gaps(&candidates);
     for (size_t i = 0; i < candidates.count && i < most && !status; i++)
         status = try_gap(state, fold, candidates.items[i], list, states);

@@ -1,7 +1,7 @@
 /* Flat sheets to begin with. */
 #include "origami/convex.h"
+#include "origami/layers.h"
 #include "origami/origami.h"
-#include "origami/outline.h"
 
 #include <stdlib.h>
 
@@ -98,11 +98,13 @@ kg_status kg_state_from_sheets(const kg_paper_sheet *sheets, size_t count,
         kg_state_measure(s);
         status = kg_outlines_create(s, &o);
     }
+    if (!status)
+        status = kg_layers_create(s);
     for (size_t i = 0; s && i < s->loops.count && !status; i++)
         for (size_t k = i + 1; k < s->loops.count && !status; k++)
             if (s->loops.items[i].sheet != s->loops.items[k].sheet &&
                 kg_outlines_overlap(&o, (int32_t)i, (int32_t)k, s->touch))
-                status = kg_orders_add(s, &o, (int32_t)i, (int32_t)k, 1);
+                kg_layer_put(s, &o, (int32_t)i, (int32_t)k, 1);
     kg_outlines_clear(&o);
     if (status) {
         kg_state_destroy(s);

@@ -10,6 +10,7 @@
 #include "base/array.h"
 #include "origami/condition.h"
 #include "origami/convex.h"
+#include "origami/overlap.h"
 #include "origami/relation.h"
 #include "origami/search.h"
 
@@ -22,7 +23,11 @@ kg_layer_report kg_layer_report_default(void) {
 typedef struct solver {
     kg_origami_state *state;
     kg_outlines outlines;
-    kg_layer_rows rows;
+    struct {
+        kg_layer_order *items; /* loops that overlap: by a, then b */
+        size_t count, capacity;
+    } pairs;
+    size_t *starts; /* of loops, the first pair with a or more */
     int32_t *links; /* of pairs, see relation.h */
     kg_clauses clauses;
     kg_error *error;
@@ -32,32 +37,45 @@ typedef struct solver {
 
 /* "b lies above a" as a literal; -1 when they do not overlap. */
 static int32_t literal(const solver *v, int32_t a, int32_t b) {
-    int32_t pair = kg_order_index(v->state, a, b);
-    return pair < 0 ? -1 : 2 * pair + (a > b);
+    int32_t low = a < b ? a : b, high = a < b ? b : a;
+    size_t first = v->starts[low], last = v->starts[low + 1];
+    while (first < last) {
+        size_t middle = first + (last - first) / 2;
+        if (v->pairs.items[middle].b < high)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    bool found = first < v->starts[low + 1] && v->pairs.items[first].b == high;
+    return found ? (int32_t)(2 * first) + (a > b) : -1;
 }
 
 static kg_status find_pairs(solver *v) {
     kg_origami_state *s = v->state;
-    s->orders.count = 0;
-    for (size_t a = 0; a < s->loops.count; a++)
-        for (size_t b = a + 1; b < s->loops.count; b++)
-            if (s->loops.items[a].group == s->loops.items[b].group &&
-                kg_outlines_overlap(&v->outlines, (int32_t)a, (int32_t)b, s->touch) &&
-                !kg_push(&s->orders, ((kg_layer_order){(int32_t)a, (int32_t)b, 1})))
-                return KG_ERR_MEMORY;
-    v->links = malloc((s->orders.count + 1) * sizeof *v->links);
-    if (!v->links)
+    int32_t loops = (int32_t)s->loops.count;
+    kg_status status = kg_overlaps_fill(s, &v->outlines);
+    v->starts = malloc(((size_t)loops + 1) * sizeof *v->starts);
+    if (status || !v->starts)
         return KG_ERR_MEMORY;
-    for (size_t i = 0; i < s->orders.count; i++)
+    kg_layer_order next = {0};
+    bool more = kg_origami_next_order(s, &next);
+    for (int32_t a = 0; a <= loops; a++) {
+        v->starts[a] = v->pairs.count;
+        for (; more && next.a == a; more = kg_origami_next_order(s, &next))
+            if (!kg_push(&v->pairs, next))
+                return KG_ERR_MEMORY;
+    }
+    v->links = malloc((v->pairs.count + 1) * sizeof *v->links);
+    for (size_t i = 0; i < v->pairs.count && v->links; i++)
         v->links[i] = (int32_t)(2 * i);
-    return kg_layer_rows_create(s, &v->outlines, &v->rows);
+    return v->links ? KG_OK : KG_ERR_MEMORY;
 }
 
 /* ---- conditions at edges ---------------------------------------------------------------- */
 
 static kg_status add_conditions(solver *v) {
     kg_conditions found = {0};
-    kg_status status = kg_conditions_find(v->state, &v->outlines, &v->rows, &found);
+    kg_status status = kg_conditions_find(v->state, &v->outlines, &found);
     for (size_t i = 0; i < found.count && !status; i++) {
         const kg_condition *c = &found.items[i];
         bool changed;
@@ -88,26 +106,23 @@ static kg_status add_conditions(solver *v) {
 /* Later loops that overlap both of a pair, where those overlap each other. */
 static kg_status add_triples_of(solver *v, size_t pair, kg_vec2 *scratch) {
     const kg_outlines *o = &v->outlines;
-    const kg_layer_rows *r = &v->rows;
-    int32_t a = v->state->orders.items[pair].a, b = v->state->orders.items[pair].b;
+    const kg_origami_state *s = v->state;
+    int32_t a = v->pairs.items[pair].a, b = v->pairs.items[pair].b;
     size_t na = kg_outline_size(o, a), nb = kg_outline_size(o, b), n = 0;
-    size_t i = r->starts[a], k = r->starts[b];
-    while (i < r->starts[a + 1] && k < r->starts[b + 1]) {
-        int32_t x = kg_row_other(r, i), y = kg_row_other(r, k);
-        i += x <= y;
-        k += y <= x;
-        if (x != y || x < b)
-            continue;
-        if (n == 0)
-            n = kg_convex_common(kg_outline_points(o, a), na, kg_outline_points(o, b), nb, scratch,
-                                 scratch + na + nb + 2);
-        if (n > 0 && kg_convex_overlap(scratch, n, kg_outline_points(o, x), kg_outline_size(o, x),
-                                       v->state->touch)) {
+    uint64_t later = ~(uint64_t)1 << (b & 63); /* of the first word */
+    for (size_t w = (size_t)b / 64; w < s->layers.words; w++, later = ~(uint64_t)0)
+        for (uint64_t both = kg_layer_any(s, a, w) & kg_layer_any(s, b, w) & later; both != 0;) {
+            int32_t x = (int32_t)(64 * w) + kg_bit_next(&both);
+            if (n == 0)
+                n = kg_convex_common(kg_outline_points(o, a), na, kg_outline_points(o, b), nb,
+                                     scratch, scratch + na + nb + 2);
+            if (n == 0 || !kg_convex_overlap(scratch, n, kg_outline_points(o, x),
+                                             kg_outline_size(o, x), s->touch))
+                continue;
             kg_clause c = {{literal(v, a, b), literal(v, b, x), literal(v, x, a), -1}};
             if (!kg_push(&v->clauses, c))
                 return KG_ERR_MEMORY;
         }
-    }
     return KG_OK;
 }
 
@@ -119,7 +134,7 @@ static kg_status add_triples(solver *v) {
     }
     kg_vec2 *scratch = malloc((4 * most + 4) * sizeof *scratch);
     kg_status status = scratch ? KG_OK : KG_ERR_MEMORY;
-    for (size_t pair = 0; pair < v->state->orders.count && !status; pair++)
+    for (size_t pair = 0; pair < v->pairs.count && !status; pair++)
         status = add_triples_of(v, pair, scratch);
     free(scratch);
     return status;
@@ -208,10 +223,11 @@ static kg_status fix_creases(const solver *v, signed char *values) {
 
 static void take_values(solver *v, const signed char *values) {
     kg_origami_state *s = v->state;
-    for (size_t i = 0; i < s->orders.count; i++) {
-        kg_layer_order *o = &s->orders.items[i];
+    kg_layers_empty(s);
+    for (size_t i = 0; i < v->pairs.count; i++) {
         int32_t l = kg_relation_find(v->links, (int32_t)(2 * i));
-        o->side = (l & 1 ? -1 : 1) * values[l >> 1] * v->outlines.facing[o->a];
+        kg_layer_put(s, &v->outlines, v->pairs.items[i].a, v->pairs.items[i].b,
+                     (l & 1 ? -1 : 1) * values[l >> 1]);
     }
     for (size_t e = 0; e < s->edges.count; e++) {
         kg_paper_edge *edge = &s->edges.items[e];
@@ -226,7 +242,7 @@ static void take_values(solver *v, const signed char *values) {
 /* ---- all -------------------------------------------------------------------------------- */
 
 static kg_status search(solver *v, kg_layer_report *report) {
-    size_t pairs = v->state->orders.count;
+    size_t pairs = v->pairs.count;
     signed char *values = calloc(pairs + 1, 1);
     if (!values)
         return KG_ERR_MEMORY;
@@ -264,7 +280,8 @@ kg_status kg_state_solve(kg_origami_state *state, kg_layer_report *report, kg_er
     if (!status)
         status = search(&v, report);
     kg_outlines_clear(&v.outlines);
-    kg_layer_rows_clear(&v.rows);
+    free(v.pairs.items);
+    free(v.starts);
     free(v.links);
     free(v.clauses.items);
     return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;

@@ -34,7 +34,7 @@ void kg_state_destroy(kg_origami_state *s) {
     free(s->edges.items);
     free(s->loops.items);
     free(s->groups.items);
-    free(s->orders.items);
+    free(s->layers.bits);
     free(s);
 }
 
@@ -50,51 +50,21 @@ static bool copy_items(void **out, const void *items, size_t count, size_t size)
     (c->array.capacity = c->array.count,                                                           \
      copy_items((void **)&c->array.items, s->array.items, s->array.count, sizeof *s->array.items))
 
-kg_origami_state *kg_state_copy(const kg_origami_state *s, bool orders) {
+kg_origami_state *kg_state_copy(const kg_origami_state *s) {
     kg_origami_state *c = kg_state_create();
     if (!c)
         return NULL;
     *c = *s;
     c->vertices.items = NULL, c->halves.items = NULL, c->edges.items = NULL;
-    c->loops.items = NULL, c->groups.items = NULL, c->orders.items = NULL;
-    if (!orders)
-        c->orders.count = c->orders.capacity = 0;
-    if (COPY(vertices) && COPY(halves) && COPY(edges) && COPY(loops) && COPY(groups) &&
-        (!orders || COPY(orders)))
+    c->loops.items = NULL, c->groups.items = NULL;
+    c->layers.bits = NULL, c->layers.words = 0;
+    if (COPY(vertices) && COPY(halves) && COPY(edges) && COPY(loops) && COPY(groups))
         return c;
     kg_state_destroy(c);
     return NULL;
 }
 
 /* ---- questions -------------------------------------------------------------------------- */
-
-int32_t kg_order_index(const kg_origami_state *s, int32_t a, int32_t b) {
-    int32_t lo = a < b ? a : b, hi = a < b ? b : a;
-    size_t first = 0, last = s->orders.count;
-    while (first < last) {
-        size_t middle = first + (last - first) / 2;
-        const kg_layer_order *o = &s->orders.items[middle];
-        if (o->a < lo || (o->a == lo && o->b < hi))
-            first = middle + 1;
-        else
-            last = middle;
-    }
-    if (first == s->orders.count)
-        return -1;
-    const kg_layer_order *o = &s->orders.items[first];
-    return o->a == lo && o->b == hi ? (int32_t)first : -1;
-}
-
-int kg_origami_order(const kg_origami_state *s, int32_t a, int32_t b) {
-    int32_t index = kg_order_index(s, a, b);
-    if (index < 0)
-        return 0;
-    const kg_layer_order *o = &s->orders.items[index];
-    if (a < b)
-        return o->side;
-    /* a seen from b: b's front looks the same way as a's, or against it */
-    return kg_dot(kg_origami_normal(s, o->a), kg_origami_normal(s, o->b)) > 0 ? -o->side : o->side;
-}
 
 kg_vec3 kg_origami_normal(const kg_origami_state *s, int32_t loop) {
     int32_t first = s->loops.items[loop].first, h = kg_next(s, first);

@@ -30,11 +30,8 @@ kg_origami_state *kg_state_create(void);
 void kg_state_destroy(kg_origami_state *state);
 /* The same state for one more holder; it must not change any more. */
 kg_origami_state *kg_state_share(kg_origami_state *state);
-/* A copy; without its orders when these are going to be others. */
-kg_origami_state *kg_state_copy(const kg_origami_state *state, bool orders);
-
-/* Where two loops stand in the list of orders; -1 when they do not overlap. */
-int32_t kg_order_index(const kg_origami_state *state, int32_t a, int32_t b);
+/* A copy without the layers, which are going to be others. */
+kg_origami_state *kg_state_copy(const kg_origami_state *state);
 
 /* Faces as lists of vertices, counter-clockwise in paper coordinates: face i has the corners
  * corners[starts[i]] … corners[starts[i + 1] - 1]. */

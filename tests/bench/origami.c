@@ -61,7 +61,7 @@ static void bench_fold(size_t faces) {
         kg_origami_undo(o);
     }
     snprintf(what, sizeof what, "origami: one fold, %zu faces, %zu pairs on each other",
-             s->loops.count, s->orders.count);
+             s->loops.count, kg_origami_pair_count(s));
     bench_row(what, total / fmax(count, 1), "ms", 0.010);
     bench_row("  the slowest of them", worst, "ms", 0);
     char *text;

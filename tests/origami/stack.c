@@ -43,25 +43,28 @@ static void learn(const kg_origami_state *s) {
             kg_box3_add(&known.boxes[i], at(s, h));
         while ((h = next(s, h)) != first);
     }
-    for (size_t i = 0; i < s->orders.count; i++) {
-        const kg_layer_order *o = &s->orders.items[i];
-        kg_vec3 up = s->groups.items[s->loops.items[o->a].group].normal;
-        int above = o->side * (kg_dot(known.normals[o->a], up) > 0 ? 1 : -1);
-        known.above[(size_t)o->a * n + (size_t)o->b] = (signed char)above;
-        known.above[(size_t)o->b * n + (size_t)o->a] = (signed char)-above;
+    kg_layer_order o = {0};
+    while (kg_origami_next_order(s, &o)) {
+        kg_vec3 up = s->groups.items[s->loops.items[o.a].group].normal;
+        int above = o.side * (kg_dot(known.normals[o.a], up) > 0 ? 1 : -1);
+        known.above[(size_t)o.a * n + (size_t)o.b] = (signed char)above;
+        known.above[(size_t)o.b * n + (size_t)o.a] = (signed char)-above;
     }
 }
 
 /* Orders as they are asked for are those of the list, from either side. */
 static const char *check_orders(const kg_origami_state *s) {
-    for (size_t i = 0; i < s->orders.count; i++) {
-        const kg_layer_order *o = &s->orders.items[i];
-        int turned = kg_dot(known.normals[o->a], known.normals[o->b]) > 0 ? -1 : 1;
-        if (kg_origami_order(s, o->a, o->b) != o->side ||
-            kg_origami_order(s, o->b, o->a) != turned * o->side)
+    size_t count = 0;
+    kg_layer_order o = {0}, last = {0};
+    for (; kg_origami_next_order(s, &o); last = o, count++) {
+        int turned = kg_dot(known.normals[o.a], known.normals[o.b]) > 0 ? -1 : 1;
+        if (o.a >= o.b || o.a < last.a || (o.a == last.a && o.b <= last.b))
+            return "the orders are in disorder";
+        if (kg_origami_order(s, o.a, o.b) != o.side ||
+            kg_origami_order(s, o.b, o.a) != turned * o.side)
             return "an order is not found";
     }
-    return NULL;
+    return count == kg_origami_pair_count(s) ? NULL : "orders are miscounted";
 }
 
 /* Least distance of a point in the plane from the loop's sides, negative outside. */
@@ -295,10 +298,18 @@ void assert_sound(const kg_origami_state *s, double tolerance) {
         fail_msg("%s", wrong);
 }
 
+bool same_orders(const kg_origami_state *a, const kg_origami_state *b) {
+    kg_layer_order x = {0}, y = {0};
+    while (kg_origami_next_order(a, &x))
+        if (!kg_origami_next_order(b, &y) || x.a != y.a || x.b != y.b || x.side != y.side)
+            return false;
+    return !kg_origami_next_order(b, &y);
+}
+
 bool same_state(const kg_origami_state *a, const kg_origami_state *b) {
     bool same = a->vertices.count == b->vertices.count && a->halves.count == b->halves.count &&
                 a->loops.count == b->loops.count && a->groups.count == b->groups.count &&
-                a->orders.count == b->orders.count && a->size == b->size;
+                a->size == b->size;
     for (size_t i = 0; same && i < a->vertices.count; i++) {
         const kg_paper_vertex *x = &a->vertices.items[i], *y = &b->vertices.items[i];
         same = same_numbers(&x->paper.x, &y->paper.x, 2) && x->sheet == y->sheet &&
@@ -319,9 +330,5 @@ bool same_state(const kg_origami_state *a, const kg_origami_state *b) {
     for (size_t i = 0; same && i < a->groups.count; i++)
         same = same_numbers(&a->groups.items[i].normal.x, &b->groups.items[i].normal.x, 3) &&
                same_numbers(&a->groups.items[i].offset, &b->groups.items[i].offset, 1);
-    for (size_t i = 0; same && i < a->orders.count; i++) {
-        const kg_layer_order *x = &a->orders.items[i], *y = &b->orders.items[i];
-        same = x->a == y->a && x->b == y->b && x->side == y->side;
-    }
-    return same;
+    return same && same_orders(a, b);
 }

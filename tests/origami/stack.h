@@ -18,6 +18,9 @@ const char *shape_check(const kg_origami_state *state, double tolerance);
 /* Neither of both is wrong. */
 void assert_sound(const kg_origami_state *state, double tolerance);
 
+/* Layers alone. */
+bool same_orders(const kg_origami_state *a, const kg_origami_state *b);
+
 /* All bits of two states are the same. */
 bool same_state(const kg_origami_state *a, const kg_origami_state *b);
 

@@ -83,7 +83,7 @@ static void test_leaves_close_and_do_not_pass(void **user) {
     must_refuse(o, fold_left(50, 130), &error);
     assert_touches_at(&error, 120);
     must_fold(o, fold_left(50, 120));
-    assert_int_equal(last(o)->orders.count, 1);
+    assert_int_equal(kg_origami_pair_count(last(o)), 1);
     assert_sound(last(o), 1e-9);
     kg_origami_destroy(o);
 }
