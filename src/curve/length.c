@@ -1,42 +1,66 @@
 #include "curve/quadrature.h"
 #include "katagami/curve.h"
 
-#include <assert.h>
-
 /* |p'| is analytic but for branch points where p'·p' = 0 at a complex v. Seen from the middle a of
  * an interval of half width h, with
  *
  *     W(r) = sum over k >= 2 of |p^(k)(a)| r^(k-1) / (k-1)!  >=  |p'(z) - p'(a)|  for |z - a| <= r,
  *
  * p'(z)·p'(z) cannot vanish while W² + 2 W |p'(a)| < |p'(a)|², that is W < (√2 - 1) |p'(a)|. With
- * no branch point within 1.65 h the 16-point rule converges like 2.96^-32 < 1e-15. */
-#define CLEAR_RADIUS 1.65
+ * no branch point within c h a rule of n points converges like (c + √(c² - 1))^-2n: each rule has
+ * the c where that is below 1e-15. */
 #define CLEAR_SHARE 0.414
+
+typedef struct rule {
+    double clear; /* c */
+    int count;
+    const double *node, *weight;
+} rule;
+
+static const rule rules[] = {{16.2, 5, kg_gauss5_node, kg_gauss5_weight},
+                             {4.45, 8, kg_gauss8_node, kg_gauss8_weight},
+                             {1.65, KG_GAUSS_COUNT, kg_gauss_node, kg_gauss_weight}};
+enum { RULES = sizeof rules / sizeof *rules };
 
 /* Halvings at most; a curve's cusps are no sharper than 1e-7 (kg_curve_init), which takes 25. */
 enum { MAX_DEPTH = 40 };
 
+/* The first rule that converges on an interval of half width h, none if there is none; size[k]:
+ * |p^(k)| / (k-1)! in its middle. */
+static const rule *rule_for(const double *size, int n, double h) {
+    for (int i = 0; i < RULES; i++) {
+        double r = rules[i].clear * h, w = 0;
+        for (int k = n; k >= 2; k--)
+            w = (w + size[k]) * r;
+        if (w <= CLEAR_SHARE * size[1])
+            return &rules[i];
+    }
+    return NULL;
+}
+
 static double length(const kg_curve *c, double a, double h, int depth) {
     kg_vec3 d[KG_CURVE_MAX_POINTS];
+    double size[KG_CURVE_MAX_POINTS] = {0}, factorial = 1;
     int n = c->degree;
     kg_curve_derivatives(c, a, n, d);
-    double factorial = 1, r = 1, w = 0;
-    for (int k = 2; k <= n; k++) {
-        factorial *= k - 1;
-        r *= CLEAR_RADIUS * fabs(h);
+    for (int k = 1; k <= n; k++) {
+        factorial *= k > 1 ? k - 1 : 1;
         d[k] = kg_scale(d[k], 1 / factorial); /* Taylor coefficients of p' */
-        w += kg_len(d[k]) * r;
+        size[k] = kg_len(d[k]);
     }
-    if (w > CLEAR_SHARE * kg_len(d[1]) && depth < MAX_DEPTH)
+    const rule *chosen = rule_for(size, n, fabs(h));
+    if (!chosen && depth < MAX_DEPTH)
         return length(c, a - 0.5 * h, 0.5 * h, depth + 1) +
                length(c, a + 0.5 * h, 0.5 * h, depth + 1);
+    if (!chosen)
+        chosen = &rules[RULES - 1];
     double sum = 0;
-    for (int i = 0; i < KG_GAUSS_COUNT; i++) {
-        double t = h * (2 * kg_gauss_node[i] - 1);
+    for (int i = 0; i < chosen->count; i++) {
+        double t = h * (2 * chosen->node[i] - 1);
         kg_vec3 hodograph = d[n];
         for (int k = n - 1; k >= 1; k--)
             hodograph = kg_madd(d[k], t, hodograph);
-        sum += kg_gauss_weight[i] * kg_len(hodograph);
+        sum += chosen->weight[i] * kg_len(hodograph);
     }
     return sum * 2 * h;
 }

@@ -3,30 +3,33 @@
 
 enum { STEPS = 20 };
 
-/* Solves a 4×4 system with two right sides in place, by elimination with pivoting; false where it
- * is singular. */
-static bool solve(double m[4][6]) {
-    for (int k = 0; k < 4; k++) {
-        int best = k;
-        for (int i = k + 1; i < 4; i++)
-            if (fabs(m[i][k]) > fabs(m[best][k]))
-                best = i;
-        if (!(fabs(m[best][k]) > 1e-14))
-            return false;
-        for (int j = 0; j < 6; j++) {
-            double swap = m[k][j];
-            m[k][j] = m[best][j];
-            m[best][j] = swap;
-        }
-        for (int i = 0; i < 4; i++) {
-            double factor = i == k ? 0 : m[i][k] / m[k][k];
-            for (int j = k; j < 6; j++)
-                m[i][j] -= factor * m[k][j];
-        }
-    }
-    for (int i = 0; i < 4; i++)
-        for (int j = 4; j < 6; j++)
-            m[i][j] /= m[i][i];
+/* Pivots below this, of unit vectors, are rounding: the system is singular. */
+#define LEAST_PIVOT 1e-14
+
+/* A step in u, v on A and s, t on B. */
+typedef struct increment {
+    double u, v, s, t;
+} increment;
+
+/* The two surfaces at points that are to become one: tangents by u and v, by s and t. */
+typedef struct tangents {
+    kg_vec3 xu, xv, xs, xt;
+    kg_vec3 normal; /* X_s × X_t, a unit vector */
+    double area;    /* its length before */
+} tangents;
+
+/* The step with X_u u + X_v v - X_s s - X_t t = gap that goes `way` along a direction. The normal
+ * of B takes s and t out of it, which leaves two equations for u and v. */
+static bool step_to(const tangents *x, kg_vec3 along, kg_vec3 gap, double way, increment *out) {
+    double a = kg_dot(x->normal, x->xu), b = kg_dot(x->normal, x->xv), r = kg_dot(x->normal, gap);
+    double c = kg_dot(along, x->xu), d = kg_dot(along, x->xv), det = a * d - b * c;
+    if (!(fabs(det) > LEAST_PIVOT))
+        return false;
+    out->u = (r * d - b * way) / det;
+    out->v = (a * way - r * c) / det;
+    kg_vec3 w = kg_sub(kg_madd(kg_scale(x->xu, out->u), out->v, x->xv), gap);
+    out->s = kg_dot(kg_cross(w, x->xt), x->normal) / x->area;
+    out->t = kg_dot(kg_cross(x->xs, w), x->normal) / x->area;
     return true;
 }
 
@@ -70,36 +73,39 @@ kg_cross_point kg_crossing_at(const kg_patch *a, const kg_patch *b, const kg_cro
     const kg_cross_point *p = &branch->points[i], *q = &branch->points[i + 1];
     kg_cross_point straight = mix(p, q, fraction), at = straight;
     kg_cross_point slope = {q->u - p->u, q->v - p->v, q->s - p->s, q->t - p->t, kg_sub(q->x, p->x)};
-    double size = fmax(a->size, b->size), length = kg_len(slope.x);
+    double size = kg_max(a->size, b->size), scale = 1 / size, length = kg_len(slope.x);
     kg_vec3 along = kg_unit(slope.x);
     kg_ruled ra = seen_from(a, p->x), rb = seen_from(b, p->x);
-    /* Unknowns: u/size, v, s/size, t; equations: X_A = X_B and the plane, all divided by size. */
+    /* u, s and all equations are divided by the size. */
     bool converged = false;
-    for (int step = 0; step < STEPS; step++) {
+    for (int k = 0; k < STEPS; k++) {
         kg_line x = kg_ruled_line(&ra, at.v), y = kg_ruled_line(&rb, at.t);
-        kg_vec3 dx, ddx, dy, ddy;
-        kg_line_unit(&x, &dx, &ddx);
-        kg_line_unit(&y, &dy, &ddy);
-        kg_vec3 point = kg_madd(x.p, at.u, dx), gap = kg_sub(kg_madd(y.p, at.s, dy), point);
-        kg_vec3 xv = kg_madd(x.dp, at.u, ddx), yt = kg_madd(y.dp, at.s, ddy);
-        double scale = 1 / size;
-        double m[4][6] = {
-            {dx.x, xv.x * scale, -dy.x, -yt.x * scale, gap.x * scale, 0},
-            {dx.y, xv.y * scale, -dy.y, -yt.y * scale, gap.y * scale, 0},
-            {dx.z, xv.z * scale, -dy.z, -yt.z * scale, gap.z * scale, 0},
-            {kg_dot(along, dx), kg_dot(along, xv) * scale, 0, 0,
-             (fraction * length - kg_dot(along, point)) * scale, length * scale},
-        };
-        if (!solve(m))
+        kg_vec3 ddx, ddy;
+        tangents on;
+        kg_line_unit(&x, &on.xu, &ddx);
+        kg_line_unit(&y, &on.xs, &ddy);
+        kg_vec3 point = kg_madd(x.p, at.u, on.xu), gap = kg_sub(kg_madd(y.p, at.s, on.xs), point);
+        kg_vec3 xv = kg_madd(x.dp, at.u, ddx);
+        on.xv = kg_scale(xv, scale);
+        on.xt = kg_scale(kg_madd(y.dp, at.s, ddy), scale);
+        kg_vec3 normal = kg_cross(on.xs, on.xt);
+        on.area = kg_len(normal);
+        if (!(on.area > LEAST_PIVOT))
             break;
-        at.u += size * m[0][4], at.v += m[1][4], at.s += size * m[2][4], at.t += m[3][4];
-        double change = fabs(m[0][4]) + fabs(m[1][4]) + fabs(m[2][4]) + fabs(m[3][4]);
+        on.normal = kg_scale(normal, 1 / on.area);
+        double way = fraction * length - kg_dot(along, point);
+        increment to, ahead;
+        if (!step_to(&on, along, kg_scale(gap, scale), way * scale, &to))
+            break;
+        at.u += size * to.u, at.v += to.v, at.s += size * to.s, at.t += to.t;
+        double change = fabs(to.u) + fabs(to.v) + fabs(to.s) + fabs(to.t);
         if (converged || change == 0) {
-            point = kg_madd(kg_add(point, kg_scale(gap, 0.5)), size * m[0][4], dx);
-            at.x = kg_add(kg_madd(point, m[1][4], xv), p->x);
-            slope = (kg_cross_point){size * m[0][5], m[1][5], size * m[2][5], m[3][5],
-                                     kg_madd(kg_scale(dx, size * m[0][5]), m[1][5], xv)};
+            point = kg_madd(kg_add(point, kg_scale(gap, 0.5)), size * to.u, on.xu);
+            at.x = kg_add(kg_madd(point, to.v, xv), p->x);
             converged = true;
+            if (out_slope && step_to(&on, along, kg_v3(0, 0, 0), length * scale, &ahead))
+                slope = (kg_cross_point){size * ahead.u, ahead.v, size * ahead.s, ahead.t,
+                                         kg_madd(kg_scale(on.xu, size * ahead.u), ahead.v, xv)};
             break;
         }
         if (!(change < 1))

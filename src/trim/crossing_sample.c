@@ -2,8 +2,10 @@
 #include "trim/crossing.h"
 
 /* Value and derivative of a Bernstein polynomial from the two halves of the last de Casteljau
- * step, by Horner's scheme as kg_bernstein_eval3. */
-static void evaluate(const kg_vec3 *a, int n, double t, kg_vec3 *out_value, kg_vec3 *out_slope) {
+ * step, by Horner's scheme as kg_bernstein_eval3. n is a constant where this is called most, so
+ * that the loop unrolls. */
+static inline void evaluate(const kg_vec3 *a, int n, double t, kg_vec3 *out_value,
+                            kg_vec3 *out_slope) {
     if (n == 0) {
         *out_value = a[0];
         *out_slope = kg_v3(0, 0, 0);
@@ -14,23 +16,34 @@ static void evaluate(const kg_vec3 *a, int n, double t, kg_vec3 *out_value, kg_v
         1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15,
         1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23};
     bool low = t <= 0.5;
-    int m = n - 1, first = low ? 0 : m, step = low ? 1 : -1;
+    int m = n - 1;
     double r = low ? t / (1 - t) : (1 - t) / t, w = 1, scale = low ? 1 - t : t, power = 1;
-    kg_vec3 x = a[first], y = a[first + 1];
+    kg_vec3 x = low ? a[0] : a[m], y = low ? a[1] : a[m + 1];
     for (int i = 1; i <= m; i++) {
+        const kg_vec3 *next = low ? a + i : a + (m - i);
         w *= r * (m - i + 1) * inverse[i];
         power *= scale;
-        x = kg_madd(x, w, a[first + step * i]);
-        y = kg_madd(y, w, a[first + step * i + 1]);
+        x = kg_madd(x, w, next[0]);
+        y = kg_madd(y, w, next[1]);
     }
     *out_value = kg_scale(kg_lerp(x, y, t), power);
     *out_slope = kg_scale(kg_sub(y, x), n * power);
 }
 
+static void evaluate_curve(const kg_ruled *ruled, double v, kg_vec3 *out_p, kg_vec3 *out_dp) {
+    if (ruled->patch->geodesic.degree == 3)
+        evaluate(ruled->p, 3, v, out_p, out_dp);
+    else
+        evaluate(ruled->p, ruled->patch->geodesic.degree, v, out_p, out_dp);
+}
+
 kg_line kg_ruled_line(const kg_ruled *ruled, double v) {
     kg_line l;
-    evaluate(ruled->p, ruled->patch->geodesic.degree, v, &l.p, &l.dp);
-    evaluate(ruled->patch->rulings, ruled->patch->ruling_degree, v, &l.r, &l.dr);
+    evaluate_curve(ruled, v, &l.p, &l.dp);
+    if (ruled->patch->ruling_degree == 6)
+        evaluate(ruled->patch->rulings, 6, v, &l.r, &l.dr);
+    else
+        evaluate(ruled->patch->rulings, ruled->patch->ruling_degree, v, &l.r, &l.dr);
     return l;
 }
 
@@ -61,7 +74,7 @@ static void lay_on_paper(kg_sample *sample, int which, const kg_line *l, kg_vec3
 
 double kg_ruled_speed(const kg_ruled *ruled, double v) {
     kg_vec3 p, dp;
-    evaluate(ruled->p, ruled->patch->geodesic.degree, v, &p, &dp);
+    evaluate_curve(ruled, v, &p, &dp);
     return kg_len(dp);
 }
 
