@@ -21,6 +21,13 @@ static const double SIDE_CELLS = 5000, CELL_LEAST = 0.2;
  * result never depends on the machine. */
 static const uint64_t WORK = 50000000;
 
+/* Areas, centres and depths are compared in these steps, mm or mm²: twins differ by rounding. */
+static const double GRAIN = 0x1p-16;
+
+static double grained(double x) {
+    return round(x / GRAIN) * GRAIN;
+}
+
 /* A part turned by one angle. */
 typedef struct turn {
     double angle;
@@ -99,7 +106,7 @@ static double centre_height(const kg_nest_shape *shape, const kg_vec2 *points) {
         area += kg_cross2(a, b);
         moment += kg_cross2(a, b) * (a.y + b.y) / 3;
     }
-    return area != 0 ? moment / area : 0;
+    return area != 0 ? grained(moment / area) : 0;
 }
 
 static kg_status make_rasters(nester *n, const item *it, turn *t) {
@@ -160,7 +167,7 @@ static kg_status place_on_page(nester *n, size_t index, uint64_t turns, kg_nest_
     kg_vec2 corner = kg_v2(best_x * n->cell + SIMPLIFY, best_y * n->cell + SIMPLIFY);
     out_place->angle = best->angle;
     out_place->offset = kg_add2(best->offset, corner);
-    *out_depth = corner.y + best->size.y;
+    *out_depth = grained(corner.y + best->size.y);
     return KG_OK;
 }
 
@@ -382,7 +389,7 @@ static kg_status prepare(nester *n) {
         const kg_nest_shape *shape = &n->items[i].shape;
         most =
             shape->ends[shape->loop_count - 1] > most ? shape->ends[shape->loop_count - 1] : most;
-        n->items[i].area = kg_nest_exact_area(n->exact, i);
+        n->items[i].area = grained(kg_nest_exact_area(n->exact, i));
     }
     n->scratch = malloc((most + 1) * sizeof *n->scratch);
     kg_status status = n->scratch ? KG_OK : KG_ERR_MEMORY;

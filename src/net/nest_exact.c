@@ -7,6 +7,9 @@
 /* mm by which a distance may fall short of the spacing: rounding of turned coordinates. */
 static const double ROUNDING = 1e-6;
 
+/* Directions are rounded to this, radians: of parts that differ by rounding they are the same. */
+static const double ANGLE_GRAIN = 1e-6;
+
 typedef struct placed {
     GEOSGeometry *geometry;
     const GEOSPreparedGeometry *prepared;
@@ -146,6 +149,7 @@ double kg_nest_exact_axis(const kg_nest_exact *exact, size_t part) {
         GEOSCoordSeq_getXY_r(geos, seq, 1, &x[1], &y[1])) {
         const double quarter = KG_PI / 2;
         angle = fmod(atan2(y[1] - y[0], x[1] - x[0]) + 4 * quarter, quarter);
+        angle = quarter - angle < ANGLE_GRAIN ? 0 : round(angle / ANGLE_GRAIN) * ANGLE_GRAIN;
     }
     if (rectangle)
         GEOSGeom_destroy_r(geos, rectangle);

@@ -9,6 +9,10 @@
  */
 #define TURN_GAIN 0.05
 
+/* Heights are compared in steps of this, mm, so that the order of twins, which differ by rounding,
+ * is that of their numbers. */
+#define GRAIN 1e-3
+
 typedef struct item {
     size_t part;
     double angle;
@@ -124,8 +128,9 @@ static bool item_turn(const kg_net_part *part, const kg_net_options *options, kg
 
 static int by_height(const void *a, const void *b) {
     const item *p = a, *q = b;
-    if (p->size.y != q->size.y)
-        return p->size.y > q->size.y ? -1 : 1;
+    double x = round(p->size.y / GRAIN), y = round(q->size.y / GRAIN);
+    if (x != y)
+        return x > y ? -1 : 1;
     return p->part < q->part ? -1 : p->part > q->part;
 }
 
