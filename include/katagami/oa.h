@@ -275,6 +275,22 @@ KG_API kg_status kg_oa_mobility(const kg_oa_stability *stability, int *out_degre
  * Sideways nothing ever sticks out. So many more cells of margin cover it. */
 KG_API int kg_oa_overhang(const kg_oa_sheet *sheet);
 
+/* What came of making a card stand. */
+typedef struct kg_oa_mended {
+    size_t cells; /* front cells of another depth or window than before, or with their top put back
+                   */
+    size_t loose; /* patches that are loose still: 0, unless nothing helped */
+    size_t missing; /* cells that nothing holds */
+} kg_oa_mended;
+
+/* Makes a card stand: changes as few cells as it finds until no patch is loose and everything is
+ * held, by closing windows, putting tops back, and moving fronts and tops to those beside them. A
+ * card that stands already stays as it is; the same card always comes out the same. See
+ * src/oa/mend.c for the search. Errors, which leave the card as it is: KG_ERR_CANCELLED,
+ * KG_ERR_MEMORY. */
+KG_API kg_status kg_oa_stabilize(kg_oa *oa, const kg_progress *progress, kg_oa_mended *out_mended,
+                                 kg_error *error) KG_CHECKED;
+
 /* ---- what is wrong, and where ----------------------------------------------------------- */
 
 typedef enum kg_oa_trouble {

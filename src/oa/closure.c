@@ -259,11 +259,17 @@ static void judge(closure *c) {
     }
 }
 
-static bool close_rules(closure *c, joint *j) {
-    for (int i = 0; i < 2; i++) {
-        learn(c, i ? c->s->base : c->s->back, SLIDE);
-        learn(c, i ? c->s->base : c->s->back, SWING);
-    }
+/* What is known from the start: back and base, or the patches that are held. */
+static void begin(closure *c, const unsigned char *held) {
+    for (int i = 0; i < (int)c->s->patch_count; i++)
+        if (held ? held[i] : i == c->s->back || i == c->s->base) {
+            learn(c, i, SLIDE);
+            learn(c, i, SWING);
+        }
+}
+
+static bool close_rules(closure *c, joint *j, const unsigned char *held) {
+    begin(c, held);
     spread(c);
     for (size_t before = 0; before < c->count;) {
         before = c->count;
@@ -275,7 +281,8 @@ static bool close_rules(closure *c, joint *j) {
     return true;
 }
 
-bool kg_oa_close(kg_oa_stability *s, const kg_oa_neighbours *neighbours) {
+bool kg_oa_close(kg_oa_stability *s, const kg_oa_neighbours *neighbours,
+                 const unsigned char *held) {
     size_t count = s->patch_count;
     closure c = {.s = s,
                  .n = neighbours,
@@ -289,7 +296,7 @@ bool kg_oa_close(kg_oa_stability *s, const kg_oa_neighbours *neighbours) {
     bool done = c.place && c.known && c.queue && j.index && j.seen && j.members && j.lines;
     for (size_t i = 0; i < count && done; i++)
         c.place[i] = -1;
-    done = done && close_rules(&c, &j);
+    done = done && close_rules(&c, &j, held);
     free(c.place);
     free(c.known);
     free(c.queue);

@@ -1,6 +1,6 @@
 /* Editing cards: every operation keeps the staircase rule, and windows and omissions where there is
  * something to be cut from. */
-#include "katagami/oa.h"
+#include "oa/sheet.h"
 
 #include <string.h>
 
@@ -8,8 +8,7 @@ static bool inside(const kg_oa *oa, int x, int y, int z) {
     return x >= 0 && x < oa->width && y >= 0 && y < oa->depth_limit && z >= 0 && z < oa->height;
 }
 
-/* Takes out windows and omissions whose face is gone. */
-static void clear_faceless(kg_oa *oa, int x) {
+void kg_oa_clear_faceless(kg_oa *oa, int x) {
     for (int z = 0; z < oa->height; z++)
         if (kg_oa_depth(oa, x, z) == 0)
             oa->window[x * oa->height + z] = 0;
@@ -27,7 +26,7 @@ bool kg_oa_add(kg_oa *oa, int x, int y, int z) {
         column[level] = y + 1;
         changed = true;
     }
-    clear_faceless(oa, x);
+    kg_oa_clear_faceless(oa, x);
     return changed;
 }
 
@@ -40,7 +39,7 @@ bool kg_oa_remove(kg_oa *oa, int x, int y, int z) {
         column[level] = y;
         changed = true;
     }
-    clear_faceless(oa, x);
+    kg_oa_clear_faceless(oa, x);
     return changed;
 }
 
@@ -83,7 +82,7 @@ kg_status kg_oa_resize(kg_oa *oa, int width, int depth, int height, kg_error *er
             other->depth[x * height + (int)z] = least(kg_oa_depth(oa, x, (int)z), depth);
         memcpy(other->window + x * height, oa->window + x * oa->height, levels);
         memcpy(other->omitted + x * (height + 1), oa->omitted + x * (oa->height + 1), levels + 1);
-        clear_faceless(other, x);
+        kg_oa_clear_faceless(other, x);
     }
     swap_cells(oa, other);
     kg_oa_destroy(other);

@@ -43,9 +43,27 @@ static bool join(mapper *m, size_t piece, int32_t patch) {
     return kg_push(&m->open, piece);
 }
 
+/* The same as go_on of a sheet without bent cells: by far most sheets, and much faster. */
+static bool go_on_plain(mapper *m, size_t piece, int32_t patch) {
+    const kg_oa_sheet *s = m->sheet;
+    size_t cell = piece / 2, width = (size_t)s->width;
+    int x = (int)(cell % width), row = (int)(cell / width);
+    const int32_t *place = s->place + cell;
+    /* what lies below or above in the same plane: a vertical cell is placed alike, the y of
+     * horizontal ones is one more with every row */
+    int32_t onward = *place & 1 ? 2 : 0;
+    return (x + 1 == s->width || place[1] != *place || join(m, piece + 2, patch)) &&
+           (x == 0 || place[-1] != *place || join(m, piece - 2, patch)) &&
+           (row + 1 == s->rows || place[width] != *place + onward ||
+            join(m, piece + 2 * width, patch)) &&
+           (row == 0 || *(place - width) != *place - onward || join(m, piece - 2 * width, patch));
+}
+
 /* Gives the patch on to the pieces beyond those edges of `piece` that are no lines. */
 static bool go_on(mapper *m, size_t piece, int32_t patch) {
     const kg_oa_sheet *s = m->sheet;
+    if (!s->bent)
+        return go_on_plain(m, piece, patch);
     int x = (int)(piece / 2 % (size_t)s->width), row = (int)(piece / 2 / (size_t)s->width);
     bool done = true;
     if (x + 1 < s->width && piece_at(s, x, row, RIGHT) == piece &&
@@ -136,8 +154,17 @@ static bool is_fold(kg_oa_edge edge) {
     return edge == KG_OA_MOUNTAIN || edge == KG_OA_VALLEY;
 }
 
+/* Sheets without bent cells have folds below cells only, where the planes change. */
+static bool has_plain_fold(const kg_oa_sheet *s, int x, int row) {
+    const int32_t *place = s->place + kg_oa_cell(s, x, row);
+    return row + 1 < s->rows && ((place[0] ^ place[s->width]) & 1) &&
+           kg_oa_place_lower(place[0]) == kg_oa_place_upper(place[s->width]);
+}
+
 static bool add_cell_hinges(mapper *m, int x, int row) {
     const kg_oa_sheet *s = m->sheet;
+    if (!s->bent && !has_plain_fold(s, x, row))
+        return true;
     kg_oa_piece left = kg_oa_cell_piece(s, x, row, 0), right = kg_oa_cell_piece(s, x, row, 1);
     kg_oa_shape shape = kg_oa_cell_shape(s, x, row);
     bool done = true;

@@ -62,8 +62,7 @@ void kg_oa_lay_column(const kg_oa *oa, int x, int32_t *place, unsigned char *mar
             z = push_window(oa, x, z, place, marks);
 }
 
-/* The card with its margins as cells of its own. */
-static kg_oa *with_margins(const kg_oa *oa) {
+kg_oa *kg_oa_with_margins(const kg_oa *oa) {
     int m = oa->margin_cells;
     kg_oa *all = calloc(1, sizeof *all);
     if (!all)
@@ -134,7 +133,7 @@ static kg_status lay_out(const kg_oa *all, bool diagonals, int margin, kg_oa_she
 kg_status kg_oa_sheet_create(const kg_oa *oa, kg_oa_sheet **out_sheet, kg_error *error) {
     if (oa->margin_cells == 0)
         return lay_out(oa, oa->diagonals, 0, out_sheet, error);
-    kg_oa *all = with_margins(oa);
+    kg_oa *all = kg_oa_with_margins(oa);
     if (!all)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     kg_status status = lay_out(all, oa->diagonals, oa->margin_cells, out_sheet, error);

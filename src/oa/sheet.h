@@ -49,6 +49,17 @@ static inline int32_t kg_oa_fallen_place(int depth, int z, int i) {
  * H + D cells from above. */
 void kg_oa_lay_column(const kg_oa *oa, int x, int32_t *place, unsigned char *marks);
 
+/* The card with its margins as cells of its own, for kg_oa_destroy; its title and net are empty.
+ * NULL when memory runs out. */
+kg_oa *kg_oa_with_margins(const kg_oa *oa);
+
+/* Goes on with both floods from the cells that `reached` names; returns how many cells that
+ * something must hold one of them misses. */
+size_t kg_oa_flood_on(const kg_oa_sheet *sheet, unsigned char *reached);
+
+/* Takes out windows and omissions of a column whose face is gone. */
+void kg_oa_clear_faceless(kg_oa *oa, int x);
+
 /* Finds the pyramids of a card without margins and bends the sheet's cells along them. */
 kg_status kg_oa_bend(const kg_oa *oa, kg_oa_sheet *sheet, kg_error *error) KG_CHECKED;
 

@@ -125,7 +125,7 @@ kg_status kg_oa_stability_create(const kg_oa_sheet *sheet, kg_oa_stability **out
     kg_status status = kg_oa_patches_map(sheet, s, error);
     if (!status)
         status = kg_oa_neighbours_create(s, true, &n, error);
-    if (!status && !(kg_oa_close(s, &n) && find_flaps(s, &n)))
+    if (!status && !(kg_oa_close(s, &n, NULL) && find_flaps(s, &n)))
         status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
     kg_oa_neighbours_clear(&n);
     if (status)

@@ -23,7 +23,8 @@ kg_status kg_oa_neighbours_create(const kg_oa_stability *s, bool extra, kg_oa_ne
 void kg_oa_neighbours_clear(kg_oa_neighbours *n);
 
 /* Marks the patches that follow from the opening of the card as stable and counts the others.
- * False when memory runs out. */
-bool kg_oa_close(kg_oa_stability *s, const kg_oa_neighbours *neighbours) KG_CHECKED;
+ * `held` (per patch; NULL: back and base) are those known to follow. False when memory runs out. */
+bool kg_oa_close(kg_oa_stability *s, const kg_oa_neighbours *neighbours,
+                 const unsigned char *held) KG_CHECKED;
 
 #endif
