@@ -3,6 +3,7 @@
 A test fails by raising (assert does), and skips by raising Skip with the reason.
 """
 
+import os
 import subprocess
 import sys
 import traceback
@@ -12,11 +13,19 @@ class Skip(Exception):
     pass
 
 
+def environment(home, **more):
+    """What programs are started with: a user who reads English, has no preferences, and lives in the
+    folder `home`, whoever runs the tests."""
+    folders = {f"XDG_{name.upper()}_HOME": f"{home}/{name}"
+               for name in ("cache", "config", "data", "state")}
+    return {**os.environ, "HOME": str(home), "LANGUAGE": "C", **folders, **more}
+
+
 def program(path, folder):
     """A function that runs the program in a folder and asserts with which code it ends."""
     def run_it(*words, expect=0):
         done = subprocess.run([path, *map(str, words)], capture_output=True, text=True, cwd=folder,
-                              check=False)
+                              check=False, env=environment(folder))
         assert done.returncode == expect, (words, done.returncode, done.stdout, done.stderr)
         return done
     return run_it

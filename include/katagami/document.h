@@ -189,9 +189,10 @@ KG_API kg_status kg_document_mesh(const kg_document *document, kg_group_color co
 KG_API kg_status kg_document_export(const kg_document *document, const char *path,
                                     kg_group_color color, kg_error *error) KG_CHECKED;
 
-/* The reference mesh in model coordinates; NULL when the document has none. */
-KG_API kg_status kg_document_reference(const kg_document *document, kg_mesh **out_mesh,
-                                       kg_error *error) KG_CHECKED;
+/* The reference mesh in model coordinates; NULL when the document has none. `progress` may be NULL.
+ * Errors: as kg_mesh_read_reporting; KG_ERR_INPUT where it cannot be placed. */
+KG_API kg_status kg_document_reference(const kg_document *document, const kg_progress *progress,
+                                       kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
 
 #ifdef __cplusplus
 }

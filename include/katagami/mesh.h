@@ -69,10 +69,12 @@ typedef struct kg_mesh_report {
  * per primitive). The mesh is taken as it is: polygons of any size, several components, open and
  * non-manifold ones. Normals are kept where every vertex has one and only one. Errors: KG_ERR_IO,
  * KG_ERR_PARSE (naming file and line) also for coordinates that are not finite numbers and for a
- * mesh without faces. `out_report` may be NULL. */
+ * mesh without faces; KG_ERR_CANCELLED when `progress` says so. `progress` and `out_report` may be
+ * NULL. */
 KG_API kg_status kg_mesh_read(const char *path, kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
-KG_API kg_status kg_mesh_read_reporting(const char *path, kg_mesh **out_mesh,
-                                        kg_mesh_report *out_report, kg_error *error) KG_CHECKED;
+KG_API kg_status kg_mesh_read_reporting(const char *path, const kg_progress *progress,
+                                        kg_mesh **out_mesh, kg_mesh_report *out_report,
+                                        kg_error *error) KG_CHECKED;
 
 /* The same from memory; `name` stands for the file in messages. Other files that a glTF text names
  * are not opened. */
@@ -163,8 +165,9 @@ typedef struct kg_mesh_hit {
     kg_vec3 normal; /* unit, of the triangle hit, on the front side of its face; 0 without area */
 } kg_mesh_hit;
 
-KG_API kg_status kg_mesh_query_create(const kg_mesh *mesh, kg_mesh_query **out_query,
-                                      kg_error *error) KG_CHECKED;
+/* `progress` may be NULL. KG_ERR_INPUT without faces, KG_ERR_MEMORY, KG_ERR_CANCELLED. */
+KG_API kg_status kg_mesh_query_create(const kg_mesh *mesh, const kg_progress *progress,
+                                      kg_mesh_query **out_query, kg_error *error) KG_CHECKED;
 KG_API void kg_mesh_query_destroy(kg_mesh_query *query);
 
 /* The first point of the mesh, from either side, on the ray from `origin` along `direction` (any

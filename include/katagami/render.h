@@ -106,10 +106,11 @@ typedef struct kg_surface {
 
 /* Triangulates the faces [first_face, first_face + face_count) of a mesh. Edges bent by more than
  * `crease` stay sharp, others are shaded smoothly: 0 makes all faces flat, π smooths all. A mesh
- * with its own normals keeps them unless crease is 0. Destroy the surface after use. */
+ * with its own normals keeps them unless crease is 0. Destroy the surface after use. `progress` may
+ * be NULL. KG_ERR_MEMORY, KG_ERR_CANCELLED. */
 KG_API kg_status kg_surface_from_mesh(const kg_mesh *mesh, size_t first_face, size_t face_count,
-                                      double crease, kg_surface *out_surface,
-                                      kg_error *error) KG_CHECKED;
+                                      double crease, const kg_progress *progress,
+                                      kg_surface *out_surface, kg_error *error) KG_CHECKED;
 KG_API void kg_surface_destroy(kg_surface *surface);
 
 /* Polylines: line i runs through points[starts[i]] … points[starts[i + 1] - 1]; a closed one

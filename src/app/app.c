@@ -23,7 +23,8 @@ kg_status kg_app_init(kg_app *app, int width, int height, double scale, const kg
     kg_status status = kg_editor_init(&app->editor, settings, error);
     if (status)
         return status;
-    if (!(status = kg_net_view_init(&app->net_view, error)))
+    kg_gate_init(&app->gate);
+    if (!(status = kg_net_view_init(&app->net_view, &app->gate, error)))
         status = kg_ui_create(error);
     if (!status)
         status = kg_scenery_create(&app->stage, error);
@@ -42,6 +43,7 @@ void kg_app_clear(kg_app *app) {
     kg_editor_clear(&app->editor);
     kg_events_clear(&app->events);
     kg_dialogs_clear(&app->dialogs);
+    kg_gate_clear(&app->gate);
 }
 
 /* ---- requests of commands ---------------------------------------------------------------- */

@@ -8,6 +8,7 @@
 
 #include "app/dialogs.h"
 #include "app/editor.h"
+#include "app/gate.h"
 #include "app/net_view.h"
 #include "app/scenery.h"
 
@@ -29,6 +30,7 @@ typedef struct kg_app {
     kg_dialogs dialogs;
     kg_axes_ball axes;
     kg_net_view net_view;
+    kg_gate gate;                     /* of all work in the background */
     struct kg_export_job *export_job; /* NULL: nothing is being written */
     struct kg_load_job *load_job;     /* NULL: nothing is being read */
     kg_conversion *conversion;        /* NULL: no card is being made of a mesh */

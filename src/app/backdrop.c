@@ -1,16 +1,26 @@
 #include "app/backdrop.h"
 
+#include "base/progress.h"
+
 /* Edges of the reference bent by more than 35 degrees are edges of the object. */
 #define CREASE 0.61
 
-kg_status kg_backdrop_load(const kg_document *document, kg_backdrop *out_backdrop,
-                           kg_error *error) {
+/* When the mesh is read and when its search tree stands, as shares of the whole. */
+#define READ 0.25
+#define TREE 0.75
+
+kg_status kg_backdrop_load(const kg_document *document, const kg_progress *progress,
+                           kg_backdrop *out_backdrop, kg_error *error) {
+    kg_progress_share shares[] = {{progress, 0, READ}, {progress, READ, TREE}, {progress, TREE, 1}};
+    kg_progress read = kg_progress_of_share(&shares[0]), tree = kg_progress_of_share(&shares[1]),
+                surface = kg_progress_of_share(&shares[2]);
     kg_backdrop b = {0};
-    kg_status status = kg_document_reference(document, &b.mesh, error);
+    kg_status status = kg_document_reference(document, &read, &b.mesh, error);
     if (!status && b.mesh)
-        status = kg_mesh_query_create(b.mesh, &b.query, error);
+        status = kg_mesh_query_create(b.mesh, &tree, &b.query, error);
     if (!status && b.mesh)
-        status = kg_surface_from_mesh(b.mesh, 0, b.mesh->face_count, CREASE, &b.surface, error);
+        status = kg_surface_from_mesh(b.mesh, 0, b.mesh->face_count, CREASE, &surface, &b.surface,
+                                      error);
     if (status)
         kg_backdrop_clear(&b);
     else

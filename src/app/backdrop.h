@@ -13,9 +13,9 @@ typedef struct kg_backdrop {
 } kg_backdrop;
 
 /* Reads the document's reference; an empty backdrop when it has none. It touches nothing else, so
- * any thread may do it. Errors: as kg_document_reference. */
-kg_status kg_backdrop_load(const kg_document *document, kg_backdrop *out_backdrop,
-                           kg_error *error) KG_CHECKED;
+ * any thread may do it. `progress` may be NULL. Errors: as kg_document_reference. */
+kg_status kg_backdrop_load(const kg_document *document, const kg_progress *progress,
+                           kg_backdrop *out_backdrop, kg_error *error) KG_CHECKED;
 /* Leaves it empty, as another revision. */
 void kg_backdrop_clear(kg_backdrop *backdrop);
 /* Puts `from` in the place of what is here, and leaves it empty. */

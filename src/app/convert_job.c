@@ -1,20 +1,17 @@
 #include "app/convert_job.h"
 
+#include "app/task.h"
 #include "base/file.h"
 
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct kg_convert_job {
-    pthread_t thread;
+    kg_task task;
     char *path;
     kg_mesh *mesh;
     kg_oa_options options;
     kg_converted converted;
-    atomic_bool cancelled, done;
-    atomic_int permille;
     kg_status status;
     kg_error error;
 };
@@ -41,16 +38,10 @@ kg_status kg_convert(const kg_mesh *mesh, const char *path, const kg_oa_options 
     return kg_document_from_oa(oa, NULL, out_document, error);
 }
 
-static bool keep_on(void *user, double fraction, const char *what) {
-    kg_convert_job *j = user;
-    (void)what;
-    atomic_store(&j->permille, (int)(1000 * fraction));
-    return !atomic_load(&j->cancelled);
-}
-
-static kg_status work(kg_convert_job *j, kg_error *error) {
-    const kg_progress progress = {keep_on, j};
-    kg_status status = j->mesh ? KG_OK : kg_mesh_read(j->path, &j->mesh, error);
+static kg_status make(kg_convert_job *j, kg_error *error) {
+    const kg_progress progress = kg_task_progress(&j->task);
+    kg_status status =
+        j->mesh ? KG_OK : kg_mesh_read_reporting(j->path, &progress, &j->mesh, NULL, error);
     if (!status)
         status =
             kg_convert(j->mesh, j->path, &j->options, &progress, &j->converted.document, error);
@@ -61,11 +52,9 @@ static kg_status work(kg_convert_job *j, kg_error *error) {
     return status;
 }
 
-static void *run(void *user) {
+static void work(void *user) {
     kg_convert_job *j = user;
-    j->status = work(j, &j->error);
-    atomic_store(&j->done, true);
-    return NULL;
+    j->status = make(j, &j->error);
 }
 
 static void destroy(kg_convert_job *j) {
@@ -76,7 +65,7 @@ static void destroy(kg_convert_job *j) {
 }
 
 kg_status kg_convert_job_start(const char *path, kg_mesh *mesh, const kg_oa_options *options,
-                               kg_convert_job **out_job, kg_error *error) {
+                               kg_gate *gate, kg_convert_job **out_job, kg_error *error) {
     kg_convert_job *j = calloc(1, sizeof *j);
     if (!j) {
         kg_mesh_destroy(mesh);
@@ -85,7 +74,7 @@ kg_status kg_convert_job_start(const char *path, kg_mesh *mesh, const kg_oa_opti
     j->mesh = mesh;
     j->options = *options;
     j->path = strdup(path);
-    if (!j->path || pthread_create(&j->thread, NULL, run, j)) {
+    if (!j->path || !kg_task_start(&j->task, gate, work, j)) {
         destroy(j);
         return kg_fail(error, KG_ERR_MEMORY, "no memory for another thread");
     }
@@ -94,20 +83,20 @@ kg_status kg_convert_job_start(const char *path, kg_mesh *mesh, const kg_oa_opti
 }
 
 double kg_convert_job_fraction(const kg_convert_job *j) {
-    return atomic_load(&j->permille) / 1000.0;
+    return kg_task_fraction(&j->task);
 }
 
 bool kg_convert_job_is_done(const kg_convert_job *j) {
-    return atomic_load(&j->done);
+    return kg_task_is_done(&j->task);
 }
 
 void kg_convert_job_cancel(kg_convert_job *j) {
-    atomic_store(&j->cancelled, true);
+    kg_task_cancel(&j->task);
 }
 
 kg_status kg_convert_job_finish(kg_convert_job *j, kg_mesh **out_mesh, kg_converted *out,
                                 kg_error *error) {
-    pthread_join(j->thread, NULL);
+    kg_task_join(&j->task);
     kg_status status = j->status;
     *error = j->error;
     *out_mesh = j->mesh;

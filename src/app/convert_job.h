@@ -5,6 +5,7 @@
 #ifndef KG_APP_CONVERT_JOB_H
 #define KG_APP_CONVERT_JOB_H
 
+#include "app/gate.h"
 #include "katagami/document.h"
 #include "katagami/render.h"
 
@@ -24,10 +25,10 @@ kg_status kg_convert(const kg_mesh *mesh, const char *path, const kg_oa_options 
                      const kg_progress *progress, kg_document **out_document,
                      kg_error *error) KG_CHECKED;
 
-/* `mesh` is taken over until the end, also on failure; NULL: it is read from `path`. KG_ERR_MEMORY.
- */
+/* `mesh` is taken over until the end, also on failure; NULL: it is read from `path`. `gate` may be
+ * NULL. KG_ERR_MEMORY. */
 kg_status kg_convert_job_start(const char *path, kg_mesh *mesh, const kg_oa_options *options,
-                               kg_convert_job **out_job, kg_error *error) KG_CHECKED;
+                               kg_gate *gate, kg_convert_job **out_job, kg_error *error) KG_CHECKED;
 double kg_convert_job_fraction(const kg_convert_job *job);
 bool kg_convert_job_is_done(const kg_convert_job *job);
 /* Asks it to end early. */

@@ -1,34 +1,24 @@
 #include "app/export_job.h"
 
 #include "app/export.h"
+#include "app/task.h"
 
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 
 struct kg_export_job {
-    pthread_t thread;
+    kg_task task;
     kg_document *document; /* NULL: the image is written */
     kg_image image;
     bool guide;
     char *path;
     kg_export_choice choice;
-    atomic_bool cancelled, done;
-    atomic_int permille;
     kg_status status;
     kg_error error;
 };
 
-static bool keep_on(void *user, double fraction, const char *what) {
-    kg_export_job *j = user;
-    (void)what;
-    atomic_store(&j->permille, (int)(1000 * fraction));
-    return !atomic_load(&j->cancelled);
-}
-
 static kg_status write_net(kg_export_job *j, kg_error *error) {
-    const kg_progress progress = {keep_on, j};
+    const kg_progress progress = kg_task_progress(&j->task);
     kg_net_options options;
     double tab_width;
     kg_status status = kg_document_net_options(j->document, &options, &tab_width, error);
@@ -43,15 +33,13 @@ static kg_status write_net(kg_export_job *j, kg_error *error) {
     return kg_export_net(j->document, &options, tab_width, j->path, &progress, error);
 }
 
-static void *run(void *user) {
+static void work(void *user) {
     kg_export_job *j = user;
-    const kg_progress progress = {keep_on, j};
+    const kg_progress progress = kg_task_progress(&j->task);
     j->status = !j->document ? kg_image_write_png(&j->image, j->path, &j->error)
                 : j->guide   ? kg_export_guide(j->document, j->path, &progress, &j->error)
                 : kg_export_is_net(j->path) ? write_net(j, &j->error)
                                             : kg_export_mesh(j->document, j->path, &j->error);
-    atomic_store(&j->done, true);
-    return NULL;
 }
 
 static void destroy(kg_export_job *j) {
@@ -70,8 +58,8 @@ static kg_export_job *create(const char *path) {
     return j;
 }
 
-static kg_status start(kg_export_job *j, kg_export_job **out_job, kg_error *error) {
-    if (pthread_create(&j->thread, NULL, run, j)) {
+static kg_status start(kg_export_job *j, kg_gate *gate, kg_export_job **out_job, kg_error *error) {
+    if (!kg_task_start(&j->task, gate, work, j)) {
         destroy(j);
         return kg_fail(error, KG_ERR_MEMORY, "no memory for another thread");
     }
@@ -79,7 +67,7 @@ static kg_status start(kg_export_job *j, kg_export_job **out_job, kg_error *erro
     return KG_OK;
 }
 
-kg_status kg_export_job_start(const kg_editor *e, const char *path, bool guide,
+kg_status kg_export_job_start(const kg_editor *e, const char *path, bool guide, kg_gate *gate,
                               kg_export_job **out_job, kg_error *error) {
     kg_export_job *j = create(path);
     if (!j)
@@ -91,11 +79,11 @@ kg_status kg_export_job_start(const kg_editor *e, const char *path, bool guide,
         destroy(j);
         return status;
     }
-    return start(j, out_job, error);
+    return start(j, gate, out_job, error);
 }
 
-kg_status kg_export_job_picture(kg_image *image, const char *path, kg_export_job **out_job,
-                                kg_error *error) {
+kg_status kg_export_job_picture(kg_image *image, const char *path, kg_gate *gate,
+                                kg_export_job **out_job, kg_error *error) {
     kg_export_job *j = create(path);
     if (!j) {
         kg_image_destroy(image);
@@ -103,11 +91,11 @@ kg_status kg_export_job_picture(kg_image *image, const char *path, kg_export_job
     }
     j->image = *image;
     *image = (kg_image){0};
-    return start(j, out_job, error);
+    return start(j, gate, out_job, error);
 }
 
 double kg_export_job_fraction(const kg_export_job *j) {
-    return atomic_load(&j->permille) / 1000.0;
+    return kg_task_fraction(&j->task);
 }
 
 const char *kg_export_job_path(const kg_export_job *j) {
@@ -115,15 +103,15 @@ const char *kg_export_job_path(const kg_export_job *j) {
 }
 
 void kg_export_job_cancel(kg_export_job *j) {
-    atomic_store(&j->cancelled, true);
+    kg_task_cancel(&j->task);
 }
 
 bool kg_export_job_is_done(const kg_export_job *j) {
-    return atomic_load(&j->done);
+    return kg_task_is_done(&j->task);
 }
 
 kg_status kg_export_job_finish(kg_export_job *j, kg_error *error) {
-    pthread_join(j->thread, NULL);
+    kg_task_join(&j->task);
     kg_status status = j->status;
     *error = j->error;
     destroy(j);

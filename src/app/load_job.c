@@ -1,30 +1,43 @@
 #include "app/load_job.h"
 
 #include "app/settings.h"
+#include "app/task.h"
+#include "base/progress.h"
 
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 struct kg_load_job {
-    pthread_t thread;
+    kg_task task;
     char *path; /* may be NULL */
     double chord;
     bool is_document;
     kg_document *document; /* what was read, or a copy that has the reference */
     kg_backdrop backdrop;
-    atomic_bool cancelled, done;
     atomic_int step;
     kg_status status;
     kg_error error, reference_error;
 };
 
+/* Where the steps of reading a document begin, as shares of the whole: a reference is mostly larger
+ * than the model that has it. */
+static const double begins[] = {
+    [KG_LOAD_READING] = 0, [KG_LOAD_SOLVING] = 0.2, [KG_LOAD_REFERENCE] = 0.4};
+
 /* Goes on to the next step unless the job was given up. */
 static kg_status begin(kg_load_job *j, kg_load_step step) {
+    kg_progress progress = kg_task_progress(&j->task);
     atomic_store(&j->step, step);
-    return atomic_load(&j->cancelled) ? kg_fail(&j->error, KG_ERR_CANCELLED, "cancelled") : KG_OK;
+    return kg_progress_tell(&progress, begins[step], "", &j->error);
+}
+
+/* `from`: how much of the whole is done before. */
+static kg_status load_reference(kg_load_job *j, double from, kg_error *error) {
+    kg_progress whole = kg_task_progress(&j->task);
+    kg_progress_share share = {&whole, from, 1};
+    kg_progress progress = kg_progress_of_share(&share);
+    return kg_backdrop_load(j->document, &progress, &j->backdrop, error);
 }
 
 static kg_status load_document(kg_load_job *j) {
@@ -35,19 +48,16 @@ static kg_status load_document(kg_load_job *j) {
         status = kg_document_solve(j->document, j->chord, &j->error);
     if (!status)
         status = begin(j, KG_LOAD_REFERENCE);
-    if (!status && kg_backdrop_load(j->document, &j->backdrop, &j->reference_error) == KG_OK)
+    if (!status && load_reference(j, begins[KG_LOAD_REFERENCE], &j->reference_error) == KG_OK)
         j->reference_error.message[0] = '\0';
     return status;
 }
 
-static void *run(void *user) {
+static void work(void *user) {
     kg_load_job *j = user;
-    j->status =
-        j->is_document ? load_document(j) : kg_backdrop_load(j->document, &j->backdrop, &j->error);
-    if (!j->status)
-        j->status = begin(j, KG_LOAD_REFERENCE);
-    atomic_store(&j->done, true);
-    return NULL;
+    j->status = j->is_document ? load_document(j) : load_reference(j, 0, &j->error);
+    if (!j->status && kg_task_is_cancelled(&j->task))
+        j->status = kg_fail(&j->error, KG_ERR_CANCELLED, "cancelled");
 }
 
 /* Of a job whose thread has ended, or never began. */
@@ -58,8 +68,8 @@ static void clear(kg_load_job *j) {
     free(j);
 }
 
-static kg_status start(kg_load_job *j, kg_load_job **out_job, kg_error *error) {
-    if (pthread_create(&j->thread, NULL, run, j)) {
+static kg_status start(kg_load_job *j, kg_gate *gate, kg_load_job **out_job, kg_error *error) {
+    if (!kg_task_start(&j->task, gate, work, j)) {
         clear(j);
         return kg_fail(error, KG_ERR_MEMORY, "no memory for another thread");
     }
@@ -76,14 +86,14 @@ static kg_load_job *create(const char *path) {
     return j;
 }
 
-kg_status kg_load_job_document(const char *path, double chord, kg_load_job **out_job,
+kg_status kg_load_job_document(const char *path, double chord, kg_gate *gate, kg_load_job **out_job,
                                kg_error *error) {
     kg_load_job *j = create(path);
     if (!j)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     j->is_document = true;
     j->chord = chord;
-    return start(j, out_job, error);
+    return start(j, gate, out_job, error);
 }
 
 /* Names another mesh as the reference, wherever the document lies. */
@@ -105,7 +115,7 @@ static bool rename_reference(kg_document *document, const char *path) {
     return true;
 }
 
-kg_status kg_load_job_reference(const kg_document *document, const char *path,
+kg_status kg_load_job_reference(const kg_document *document, const char *path, kg_gate *gate,
                                 kg_load_job **out_job, kg_error *error) {
     kg_load_job *j = create(path);
     if (!j)
@@ -118,7 +128,7 @@ kg_status kg_load_job_reference(const kg_document *document, const char *path,
         clear(j);
         return status;
     }
-    return start(j, out_job, error);
+    return start(j, gate, out_job, error);
 }
 
 const char *kg_load_job_path(const kg_load_job *j) {
@@ -133,13 +143,17 @@ kg_load_step kg_load_job_step(const kg_load_job *j) {
     return (kg_load_step)atomic_load(&j->step);
 }
 
+double kg_load_job_fraction(const kg_load_job *j) {
+    return kg_task_fraction(&j->task);
+}
+
 bool kg_load_job_is_done(const kg_load_job *j) {
-    return atomic_load(&j->done);
+    return kg_task_is_done(&j->task);
 }
 
 kg_status kg_load_job_finish(kg_load_job *j, kg_document **out_document, kg_backdrop *out_backdrop,
                              kg_error *reference_error, kg_error *error) {
-    pthread_join(j->thread, NULL);
+    kg_task_join(&j->task);
     kg_status status = j->status;
     *error = j->error;
     if (!status) {
@@ -155,13 +169,13 @@ kg_status kg_load_job_finish(kg_load_job *j, kg_document **out_document, kg_back
 }
 
 void kg_load_job_cancel(kg_load_job *j) {
-    atomic_store(&j->cancelled, true);
+    kg_task_cancel(&j->task);
 }
 
 void kg_load_job_destroy(kg_load_job *j) {
     if (!j)
         return;
     kg_load_job_cancel(j);
-    pthread_join(j->thread, NULL);
+    kg_task_join(&j->task);
     clear(j);
 }

@@ -1,13 +1,12 @@
 #include "app/net_state.h"
 
 #include "app/export.h"
+#include "app/task.h"
 #include "app/text.h"
 #include "document/pin.h"
 #include "net/clash.h"
 #include "net/sheet.h"
 
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,21 +20,21 @@ typedef struct seat {
 
 /* What the thread works on. It owns everything in here until it is joined. */
 typedef struct job {
-    pthread_t thread;
+    kg_task task;
     kg_document *document;
     uint64_t number; /* of the solution it was started for */
     bool rough;
     size_t seat_count;
     seat *seats;
     size_t page_count; /* of the seats */
-    atomic_bool superseded, cancelled, done;
-    atomic_int permille;
+    atomic_bool superseded;
     kg_net_picture picture;
     kg_status status;
     kg_error error;
 } job;
 
 struct kg_net_state {
+    kg_gate *gate;
     kg_net_picture picture;
     bool has_picture;
     uint64_t number; /* of the solution shown, or that failed */
@@ -54,13 +53,6 @@ void kg_net_picture_clear(kg_net_picture *p) {
 }
 
 /* ---- on the thread ----------------------------------------------------------------------- */
-
-static bool keep_on(void *user, double fraction, const char *what) {
-    job *j = user;
-    (void)what;
-    atomic_store(&j->permille, (int)(1000 * fraction));
-    return !atomic_load(&j->superseded) && !atomic_load(&j->cancelled);
-}
 
 /* A layout with the places of the picture before; NULL when there are other parts now. */
 static kg_net_layout *keep_places(const job *j, const kg_net_picture *p) {
@@ -90,7 +82,7 @@ static kg_net_layout *keep_places(const job *j, const kg_net_picture *p) {
 
 static kg_status lay_out(job *j, kg_net_picture *p, kg_error *error) {
     kg_net_options rows = p->options;
-    const kg_progress progress = {keep_on, j};
+    const kg_progress progress = kg_task_progress(&j->task);
     rows.nest = false;
     if (j->rough && (p->layout = keep_places(j, p)))
         return KG_OK;
@@ -130,11 +122,9 @@ static kg_status make(job *j, kg_net_picture *p, kg_error *error) {
     return kg_net_clashes(p->net.net, p->layout, &p->options, p->clashes, error);
 }
 
-static void *run(void *user) {
+static void work(void *user) {
     job *j = user;
     j->status = make(j, &j->picture, &j->error);
-    atomic_store(&j->done, true);
-    return NULL;
 }
 
 /* ---- jobs -------------------------------------------------------------------------------- */
@@ -182,7 +172,7 @@ static void start(kg_net_state *s, const kg_editor *e) {
     if (kg_document_copy(e->document, &j->document, &error)) {
         fail(s, error.message);
         destroy_job(j);
-    } else if (!take_seats(s, j) || pthread_create(&j->thread, NULL, run, j)) {
+    } else if (!take_seats(s, j) || !kg_task_start(&j->task, s->gate, work, j)) {
         fail(s, _("no memory for another thread"));
         destroy_job(j);
     } else {
@@ -193,7 +183,7 @@ static void start(kg_net_state *s, const kg_editor *e) {
 /* Takes over what a finished job made. */
 static void finish(kg_net_state *s) {
     job *j = s->job;
-    pthread_join(j->thread, NULL);
+    kg_task_join(&j->task);
     s->job = NULL;
     if (j->status) {
         if (j->status != KG_ERR_CANCELLED)
@@ -212,13 +202,19 @@ static void finish(kg_net_state *s) {
     destroy_job(j);
 }
 
+/* Nobody wants what the job makes any more. */
+static void supersede(job *j) {
+    atomic_store(&j->superseded, true);
+    kg_task_cancel(&j->task);
+}
+
 bool kg_net_state_follow(kg_net_state *s, const kg_editor *e) {
     uint64_t before = s->revision;
-    if (s->job && atomic_load(&s->job->done))
+    if (s->job && kg_task_is_done(&s->job->task))
         finish(s);
     bool current = s->number == e->solved && (!s->rough || e->before);
     if (!current && s->job)
-        atomic_store(&s->job->superseded, true);
+        supersede(s->job);
     else if (!current)
         start(s, e);
     return s->revision != before;
@@ -228,13 +224,13 @@ bool kg_net_state_follow(kg_net_state *s, const kg_editor *e) {
 
 bool kg_net_state_busy(const kg_net_state *s, double *out_fraction) {
     if (out_fraction)
-        *out_fraction = s->job ? atomic_load(&s->job->permille) / 1000.0 : 0;
+        *out_fraction = s->job ? kg_task_fraction(&s->job->task) : 0;
     return s->job != NULL;
 }
 
 void kg_net_state_cancel(kg_net_state *s) {
     if (s->job)
-        atomic_store(&s->job->cancelled, true);
+        kg_task_cancel(&s->job->task);
 }
 
 const kg_net_picture *kg_net_state_picture(const kg_net_state *s) {
@@ -249,10 +245,12 @@ uint64_t kg_net_state_revision(const kg_net_state *s) {
     return s->revision;
 }
 
-kg_net_state *kg_net_state_create(void) {
+kg_net_state *kg_net_state_create(kg_gate *gate) {
     kg_net_state *s = calloc(1, sizeof *s);
-    if (s)
-        s->number = UINT64_MAX; /* nothing was made */
+    if (!s)
+        return NULL;
+    s->gate = gate;
+    s->number = UINT64_MAX; /* nothing was made */
     return s;
 }
 
@@ -260,8 +258,8 @@ void kg_net_state_destroy(kg_net_state *s) {
     if (!s)
         return;
     if (s->job) {
-        atomic_store(&s->job->superseded, true);
-        pthread_join(s->job->thread, NULL);
+        supersede(s->job);
+        kg_task_join(&s->job->task);
         destroy_job(s->job);
     }
     kg_net_picture_clear(&s->picture);

@@ -10,6 +10,7 @@
 #define KG_APP_NET_STATE_H
 
 #include "app/editor.h"
+#include "app/gate.h"
 #include "net/drawing.h"
 
 /* A net on its pages. */
@@ -26,8 +27,8 @@ void kg_net_picture_clear(kg_net_picture *picture);
 
 typedef struct kg_net_state kg_net_state;
 
-/* NULL when memory runs out. */
-kg_net_state *kg_net_state_create(void);
+/* `gate`, which its threads pass, may be NULL. NULL when memory runs out. */
+kg_net_state *kg_net_state_create(kg_gate *gate);
 void kg_net_state_destroy(kg_net_state *state);
 
 /* Takes over what the thread has done, and starts it when the editor's model is another. True:

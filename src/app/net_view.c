@@ -21,9 +21,9 @@ static void forget(kg_net_view *v) {
         v->gesture = KG_NET_IDLE;
 }
 
-kg_status kg_net_view_init(kg_net_view *v, kg_error *error) {
+kg_status kg_net_view_init(kg_net_view *v, kg_gate *gate, kg_error *error) {
     *v = (kg_net_view){
-        .state = kg_net_state_create(), .zoom = 1, .scale = 1, .columns = 1, .fitted = true};
+        .state = kg_net_state_create(gate), .zoom = 1, .scale = 1, .columns = 1, .fitted = true};
     if (!v->state)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     forget(v);

@@ -49,7 +49,7 @@ typedef struct kg_net_view {
     size_t listed;     /* warnings below the pages */
 } kg_net_view;
 
-kg_status kg_net_view_init(kg_net_view *view, kg_error *error) KG_CHECKED;
+kg_status kg_net_view_init(kg_net_view *view, kg_gate *gate, kg_error *error) KG_CHECKED;
 void kg_net_view_clear(kg_net_view *view);
 
 /* Follows the editor; true when there is something new to show. `area`: of the pages. */

@@ -258,25 +258,35 @@ static kg_status do_drop(script *s, const char *words, kg_error *error) {
     return KG_OK;
 }
 
-/* Until a widget is shown, or (`label` NULL) until nothing goes on in the background; false when
- * that is over without the widget. */
-static bool wait_for(script *s, const char *label) {
+/* Until nothing goes on in the background, which does so only meanwhile. */
+static void wait_for_all(script *s) {
     const struct timespec tick = {.tv_nsec = 2000000};
-    kg_area area;
-    for (kg_app_run_events(s->app, FRAME); s->app->busy; kg_app_run_events(s->app, FRAME)) {
-        if (label && kg_ui_find(label, &area))
-            return true;
+    kg_gate_set_closed(&s->app->gate, false);
+    for (kg_app_run_events(s->app, FRAME); s->app->busy; kg_app_run_events(s->app, FRAME))
         nanosleep(&tick, NULL);
-    }
+    kg_gate_set_closed(&s->app->gate, true);
     kg_app_run_events(s->app, FRAME);
-    return label && kg_ui_find(label, &area);
+}
+
+/* Until a widget is shown; the work in the background goes on step by step and stays where it is.
+ * False when that is over without the widget. */
+static bool wait_for(script *s, const char *label) {
+    kg_area area;
+    kg_app_run_events(s->app, FRAME);
+    while (!kg_ui_find(label, &area)) {
+        if (!s->app->busy)
+            return false;
+        kg_gate_step(&s->app->gate);
+        kg_app_run_events(s->app, FRAME);
+    }
+    return true;
 }
 
 static kg_status do_wait(script *s, const char *words, kg_error *error) {
     double seconds;
     char label[256];
     if (*skip_spaces(words) == '\0') {
-        wait_for(s, NULL);
+        wait_for_all(s);
         return KG_OK;
     }
     if (*skip_spaces(words) == '"' && next_word(&words, label, sizeof label))
@@ -386,6 +396,7 @@ static kg_status do_monkey(script *s, const char *words, kg_error *error) {
         kg_event event = kg_monkey_event(&state, s->app->width, s->app->height, s->pointer);
         s->pointer = event.position;
         send(s, event);
+        kg_gate_step(&s->app->gate); /* so that results come between events, always the same */
         s->app->quit = false;
         status = kg_monkey_check(s->app, error);
         if (status)
@@ -463,6 +474,7 @@ kg_status kg_script_run(kg_app *app, const char *path, kg_shot_fn shot, void *us
     kg_status status = kg_file_read(path, &text, &size, error);
     if (status)
         return status;
+    kg_gate_set_closed(&app->gate, true);
     kg_app_run_events(app, FRAME);
     const char *at = text;
     for (int number = 1; *at && !status && !app->quit; number++) {
@@ -475,6 +487,7 @@ kg_status kg_script_run(kg_app *app, const char *path, kg_shot_fn shot, void *us
         at += *at == '\r';
         at += *at == '\n';
     }
+    kg_gate_set_closed(&app->gate, false);
     free(text);
     return status;
 }

@@ -1,5 +1,6 @@
 #include "base/file.h"
 #include "base/phrase.h"
+#include "base/progress.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -9,27 +10,44 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static kg_status read_stream(FILE *f, char **out_data, size_t *out_size) {
-    size_t capacity = 1 << 16, size = 0;
+/* Bytes that are read at once, between two looks at the progress. */
+enum { FIRST_PIECE = 1 << 16, MOST_PIECE = 1 << 22 };
+
+/* How large a stream says it is, bytes; 0: a pipe, or empty. */
+static double size_of(FILE *f) {
+    struct stat info;
+    return fstat(fileno(f), &info) == 0 && S_ISREG(info.st_mode) ? (double)info.st_size : 0;
+}
+
+static kg_status read_stream(FILE *f, const kg_progress *progress, char **out_data,
+                             size_t *out_size, kg_error *error) {
+    size_t capacity = FIRST_PIECE, size = 0;
+    double whole = size_of(f);
     char *data = malloc(capacity);
-    while (data) {
-        size += fread(data + size, 1, capacity - 1 - size, f);
-        if (size < capacity - 1)
+    kg_status status = data ? KG_OK : KG_ERR_MEMORY;
+    while (!status) {
+        size_t room = capacity - 1 - size, wanted = room < MOST_PIECE ? room : MOST_PIECE;
+        size_t got = fread(data + size, 1, wanted, f);
+        size += got;
+        if (got < wanted)
             break;
+        status = kg_progress_tell(progress, whole > 0 ? fmin((double)size / whole, 1) : 0,
+                                  "reading", error);
+        if (status || got < room)
+            continue;
         char *more = capacity > SIZE_MAX / 2 ? NULL : realloc(data, capacity * 2);
-        if (!more) {
-            free(data);
-            data = NULL;
-        } else {
+        if (more) {
             data = more;
             capacity *= 2;
+        } else {
+            status = KG_ERR_MEMORY;
         }
     }
-    if (!data)
-        return KG_ERR_MEMORY;
-    if (ferror(f)) {
+    if (!status && ferror(f))
+        status = KG_ERR_IO;
+    if (status) {
         free(data);
-        return KG_ERR_IO;
+        return status;
     }
     data[size] = '\0';
     *out_data = data;
@@ -37,19 +55,24 @@ static kg_status read_stream(FILE *f, char **out_data, size_t *out_size) {
     return KG_OK;
 }
 
-kg_status kg_file_read(const char *path, char **out_data, size_t *out_size, kg_error *error) {
+kg_status kg_file_read_telling(const char *path, const kg_progress *progress, char **out_data,
+                               size_t *out_size, kg_error *error) {
     FILE *f = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
     if (!f)
         return kg_fail(error, KG_ERR_IO, "%s: cannot open: %s", path, kg_phrase_of_errno(errno));
-    kg_status status = read_stream(f, out_data, out_size);
+    kg_status status = read_stream(f, progress, out_data, out_size, error);
     int saved = errno;
     if (f != stdin)
         fclose(f);
     if (status == KG_ERR_MEMORY)
         return kg_fail(error, status, "%s: out of memory", path);
-    if (status)
+    if (status == KG_ERR_IO)
         return kg_fail(error, status, "%s: cannot read: %s", path, kg_phrase_of_errno(saved));
-    return KG_OK;
+    return status;
+}
+
+kg_status kg_file_read(const char *path, char **out_data, size_t *out_size, kg_error *error) {
+    return kg_file_read_telling(path, NULL, out_data, out_size, error);
 }
 
 kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *error) {

@@ -12,6 +12,9 @@
 /* Reads all of `path` into a new buffer with a zero byte behind it (not counted). */
 kg_status kg_file_read(const char *path, char **out_data, size_t *out_size,
                        kg_error *error) KG_CHECKED;
+/* The same, telling `progress` (may be NULL) how far it is. KG_ERR_CANCELLED. */
+kg_status kg_file_read_telling(const char *path, const kg_progress *progress, char **out_data,
+                               size_t *out_size, kg_error *error) KG_CHECKED;
 
 /* Writes `size` bytes so that `path` holds either its old or its new content, never a part. */
 kg_status kg_file_write(const char *path, const void *data, size_t size,

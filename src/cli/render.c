@@ -83,7 +83,7 @@ static kg_status add_group(stage *s, const kg_mesh *mesh, size_t first, size_t c
                            kg_style style, bool outlines, kg_error *error) {
     kg_surface surface;
     kg_shape *shape;
-    kg_status status = kg_surface_from_mesh(mesh, first, count, crease, &surface, error);
+    kg_status status = kg_surface_from_mesh(mesh, first, count, crease, NULL, &surface, error);
     if (status)
         return status;
     if (!(status = kg_shape_from_surface(&surface, &shape, error)))
@@ -153,7 +153,7 @@ static kg_status add_reference(stage *s, kg_document *d, double opacity, kg_erro
     if (!ref->file || shown <= 0)
         return KG_OK;
     kg_mesh *mesh;
-    kg_status status = kg_document_reference(d, &mesh, error);
+    kg_status status = kg_document_reference(d, NULL, &mesh, error);
     if (status)
         return status;
     /* edges bent by more than 35 degrees are edges of the object, not of its triangles */

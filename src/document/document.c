@@ -239,7 +239,8 @@ char *kg_document_reference_path(const kg_document *d) {
     return path;
 }
 
-kg_status kg_document_reference(const kg_document *d, kg_mesh **out_mesh, kg_error *error) {
+kg_status kg_document_reference(const kg_document *d, const kg_progress *progress,
+                                kg_mesh **out_mesh, kg_error *error) {
     const kg_reference *ref = d->model ? &d->model->reference : NULL;
     kg_mesh *mesh = NULL;
     if (!ref || !ref->file) {
@@ -247,8 +248,8 @@ kg_status kg_document_reference(const kg_document *d, kg_mesh **out_mesh, kg_err
         return KG_OK;
     }
     char *path = kg_document_reference_path(d);
-    kg_status status =
-        path ? kg_mesh_read(path, &mesh, error) : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status = path ? kg_mesh_read_reporting(path, progress, &mesh, NULL, error)
+                            : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     /* y up is turned to z up: (x, y, z) -> (x, -z, y) */
     static const double turn[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};
     if (!status && ref->up_y)

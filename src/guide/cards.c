@@ -42,8 +42,8 @@ static kg_status add_group(scenery *s, const kg_mesh *mesh, const kg_mesh_group 
     kg_surface surface;
     kg_shape *shape;
     kg_style line = kg_style_default((kg_color){0.1F, 0.1F, 0.12F, 1});
-    kg_status status =
-        kg_surface_from_mesh(mesh, group->first_face, group->face_count, CREASE, &surface, error);
+    kg_status status = kg_surface_from_mesh(mesh, group->first_face, group->face_count, CREASE,
+                                            NULL, &surface, error);
     if (status)
         return status;
     if (!(status = kg_shape_from_surface(&surface, &shape, error)))

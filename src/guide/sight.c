@@ -77,7 +77,7 @@ kg_status kg_sight_create(const kg_assembly *assembly, const kg_view_of *view, k
     kg_mesh mesh = {0};
     kg_status status = sight ? mesh_of(assembly, view, &mesh) : KG_ERR_MEMORY;
     if (!status && mesh.face_count > 0)
-        status = kg_mesh_query_create(&mesh, &sight->query, error);
+        status = kg_mesh_query_create(&mesh, NULL, &sight->query, error);
     free(mesh.positions);
     free(mesh.face_starts);
     free(mesh.face_corners);

@@ -1,5 +1,7 @@
 #include "mesh/builder.h"
 
+#include "base/progress.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,6 +9,13 @@ const float kg_mesh_plain_color[4] = {0.8f, 0.8f, 0.8f, 1};
 
 /* Indices of kg_mesh are 32 bits wide. */
 static const size_t most_items = UINT32_MAX - 1;
+
+/* Bytes between two words about the progress: a millisecond's work, so that stopping is felt at
+ * once and telling costs nothing. */
+static const size_t told_step = 1 << 16;
+
+/* Share of the work that reading the bytes is; the rest is checking indices and copying faces. */
+#define READING_SHARE 0.9
 
 void kg_mesh_builder_free(kg_mesh_builder *b) {
     free(b->positions.items);
@@ -18,6 +27,12 @@ void kg_mesh_builder_free(kg_mesh_builder *b) {
         free(b->groups.items[i].name);
     free(b->groups.items);
     *b = (kg_mesh_builder){.name = b->name};
+}
+
+kg_status kg_mesh_builder_tell(kg_mesh_builder *b, size_t done, kg_error *error) {
+    b->next_told = done < SIZE_MAX - told_step ? done + told_step : SIZE_MAX;
+    double fraction = b->size ? fmin((double)done / (double)b->size, 1) : 0;
+    return kg_progress_tell(b->progress, READING_SHARE * fraction, "reading", error);
 }
 
 kg_status kg_mesh_builder_memory(const kg_mesh_builder *b, kg_error *error) {
@@ -141,6 +156,8 @@ static void copy_faces(kg_mesh_builder *b, kg_mesh *mesh, uint32_t *last_face) {
 kg_status kg_mesh_builder_finish(kg_mesh_builder *b, kg_mesh **out_mesh, kg_mesh_report *out_report,
                                  kg_error *error) {
     kg_status status = check_corners(b, error);
+    if (!status)
+        status = kg_progress_tell(b->progress, READING_SHARE, "reading", error);
     if (status)
         return status;
     if (!b->positions.count || !b->face_ends.count)

@@ -14,7 +14,10 @@ extern "C" {
 #endif
 
 typedef struct kg_mesh_builder {
-    const char *name; /* of the file, for messages */
+    const char *name;            /* of the file, for messages */
+    const kg_progress *progress; /* may be NULL */
+    size_t size;                 /* of the file, bytes */
+    size_t next_told;            /* bytes read when progress is told next */
     struct {
         kg_vec3 *items;
         size_t count, capacity;
@@ -38,6 +41,15 @@ typedef struct kg_mesh_builder {
 } kg_mesh_builder;
 
 void kg_mesh_builder_free(kg_mesh_builder *b);
+
+/* Tells how many bytes of the file are read. Readers do so with every line, vertex or face, by
+ * kg_mesh_builder_at. */
+kg_status kg_mesh_builder_tell(kg_mesh_builder *b, size_t done, kg_error *error) KG_CHECKED;
+
+KG_CHECKED static inline kg_status kg_mesh_builder_at(kg_mesh_builder *b, size_t done,
+                                                      kg_error *error) {
+    return done < b->next_told ? KG_OK : kg_mesh_builder_tell(b, done, error);
+}
 
 /* KG_ERR_MEMORY, naming the file. */
 kg_status kg_mesh_builder_memory(const kg_mesh_builder *b, kg_error *error);

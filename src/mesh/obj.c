@@ -134,7 +134,8 @@ kg_status kg_obj_read(const void *data, size_t size, kg_mesh_builder *b, kg_erro
     kg_status status = KG_OK;
     do {
         kg_word keyword;
-        if (kg_text_word(&t, &keyword))
+        status = kg_mesh_builder_at(b, kg_text_offset(&t, data), error);
+        if (!status && kg_text_word(&t, &keyword))
             status = read_statement(&t, keyword, b, &normals, &has_groups, error);
     } while (!status && kg_text_next_line(&t));
     if (!status)

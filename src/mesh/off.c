@@ -97,11 +97,17 @@ kg_status kg_off_read(const void *data, size_t size, kg_mesh_builder *b, kg_erro
     int64_t vertices, faces;
     bool has_normals;
     kg_status status = read_header(&t, b->name, &vertices, &faces, &has_normals, error);
-    for (int64_t i = 0; i < vertices && !status; i++)
+    for (int64_t i = 0; i < vertices && !status; i++) {
         status =
             next_content(&t) ? read_vertex(&t, b, has_normals, error) : truncated(b, &t, error);
-    for (int64_t i = 0; i < faces && !status; i++)
+        if (!status)
+            status = kg_mesh_builder_at(b, kg_text_offset(&t, data), error);
+    }
+    for (int64_t i = 0; i < faces && !status; i++) {
         status = next_content(&t) ? read_face(&t, b, error) : truncated(b, &t, error);
+        if (!status)
+            status = kg_mesh_builder_at(b, kg_text_offset(&t, data), error);
+    }
     return status;
 }
 

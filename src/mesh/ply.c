@@ -294,8 +294,11 @@ kg_status kg_ply_read(const void *data, size_t size, kg_mesh_builder *b, kg_erro
         bool has_normals =
             has_role(e, NORMAL) && has_role(e, NORMAL + 1) && has_role(e, NORMAL + 2);
         /* An element without properties takes no bytes: nothing to step over. */
-        for (uint64_t j = 0; e->properties.count && j < e->count && !status; j++)
+        for (uint64_t j = 0; e->properties.count && j < e->count && !status; j++) {
             status = read_instance(&p, e, has_normals);
+            if (!status)
+                status = kg_mesh_builder_at(b, kg_text_offset(&p.t, data), error);
+        }
     }
     for (size_t i = 0; i < p.elements.count; i++)
         free(p.elements.items[i].properties.items);

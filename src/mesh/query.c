@@ -9,6 +9,8 @@
  */
 #include "katagami/mesh.h"
 
+#include "base/progress.h"
+
 #include <embree3/rtcore.h>
 
 #include <stdlib.h>
@@ -302,7 +304,26 @@ static kg_status copy_triangles(kg_mesh_query *q, const kg_mesh *mesh, kg_error 
     return status;
 }
 
-static kg_status build_tree(kg_mesh_query *q, kg_error *error) {
+/* Share of the work that copying the triangles is; the rest is the tree. */
+#define COPYING_SHARE 0.1
+
+typedef struct building {
+    const kg_progress *progress;
+    kg_status status;
+    kg_error *error;
+} building;
+
+/* Embree's: false ends the work. */
+static bool go_on(void *user, double fraction) {
+    building *b = user;
+    double whole = COPYING_SHARE + (1 - COPYING_SHARE) * fmin(fmax(fraction, 0), 1);
+    if (!b->status)
+        b->status = kg_progress_tell(b->progress, whole, "search tree", b->error);
+    return !b->status;
+}
+
+static kg_status build_tree(kg_mesh_query *q, const kg_progress *progress, kg_error *error) {
+    building b = {progress, KG_OK, error};
     q->device = rtcNewDevice("threads=1,set_affinity=0");
     if (!q->device)
         return kg_fail(error, KG_ERR_SYSTEM, "Embree does not start on this machine (error %d)",
@@ -317,16 +338,22 @@ static kg_status build_tree(kg_mesh_query *q, kg_error *error) {
         rtcSetGeometryIntersectFunction(geometry, intersect_triangle);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(q->scene, geometry);
+        rtcSetSceneProgressMonitorFunction(q->scene, go_on, &b);
         rtcCommitScene(q->scene);
+        rtcSetSceneProgressMonitorFunction(q->scene, NULL, NULL);
     }
     if (geometry)
         rtcReleaseGeometry(geometry);
-    if (rtcGetDeviceError(q->device) != RTC_ERROR_NONE)
+    bool failed = rtcGetDeviceError(q->device) != RTC_ERROR_NONE;
+    if (b.status)
+        return b.status;
+    if (failed)
         return kg_fail(error, KG_ERR_MEMORY, "mesh: no search tree could be made of it");
     return KG_OK;
 }
 
-kg_status kg_mesh_query_create(const kg_mesh *mesh, kg_mesh_query **out_query, kg_error *error) {
+kg_status kg_mesh_query_create(const kg_mesh *mesh, const kg_progress *progress,
+                               kg_mesh_query **out_query, kg_error *error) {
     kg_mesh_query *q = calloc(1, sizeof *q);
     if (!q)
         return kg_fail(error, KG_ERR_MEMORY, "mesh: out of memory for its search tree");
@@ -334,7 +361,9 @@ kg_status kg_mesh_query_create(const kg_mesh *mesh, kg_mesh_query **out_query, k
     if (!status)
         status = copy_triangles(q, mesh, error);
     if (!status)
-        status = build_tree(q, error);
+        status = kg_progress_tell(progress, COPYING_SHARE, "search tree", error);
+    if (!status)
+        status = build_tree(q, progress, error);
     if (status) {
         kg_mesh_query_destroy(q);
         return status;

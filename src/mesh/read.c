@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "base/progress.h"
 #include "mesh/format.h"
 
 #include <locale.h>
@@ -42,13 +43,13 @@ static kg_status read_format(const void *data, size_t size, kg_mesh_format forma
 }
 
 static kg_status read_data(const void *data, size_t size, kg_mesh_format format, const char *name,
-                           const char *folder, kg_mesh **out_mesh, kg_mesh_report *out_report,
-                           kg_error *error) {
+                           const char *folder, const kg_progress *progress, kg_mesh **out_mesh,
+                           kg_mesh_report *out_report, kg_error *error) {
     locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!c_locale)
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", name);
     locale_t callers = uselocale(c_locale);
-    kg_mesh_builder b = {.name = name};
+    kg_mesh_builder b = {.name = name, .progress = progress, .size = size};
     kg_status status = read_format(data, size, format, folder, &b, error);
     if (!status)
         status = kg_mesh_builder_finish(&b, out_mesh, out_report, error);
@@ -61,11 +62,19 @@ static kg_status read_data(const void *data, size_t size, kg_mesh_format format,
 kg_status kg_mesh_read_memory(const void *data, size_t size, kg_mesh_format format,
                               const char *name, kg_mesh **out_mesh, kg_mesh_report *out_report,
                               kg_error *error) {
-    return read_data(data, size, format, name, NULL, out_mesh, out_report, error);
+    return read_data(data, size, format, name, NULL, NULL, out_mesh, out_report, error);
 }
 
-kg_status kg_mesh_read_reporting(const char *path, kg_mesh **out_mesh, kg_mesh_report *out_report,
-                                 kg_error *error) {
+/* Share of the work that fetching the bytes is, where they are at hand; a slow disk takes longer.
+ */
+#define FETCHING_SHARE 0.1
+
+kg_status kg_mesh_read_reporting(const char *path, const kg_progress *progress, kg_mesh **out_mesh,
+                                 kg_mesh_report *out_report, kg_error *error) {
+    kg_progress_share fetching = {progress, 0, FETCHING_SHARE},
+                      reading = {progress, FETCHING_SHARE, 1};
+    kg_progress of_fetching = kg_progress_of_share(&fetching),
+                of_reading = kg_progress_of_share(&reading);
     kg_mesh_format format;
     kg_status status = kg_mesh_format_of(path, &format, error);
     if (status)
@@ -75,9 +84,10 @@ kg_status kg_mesh_read_reporting(const char *path, kg_mesh **out_mesh, kg_mesh_r
     size_t size;
     if (!folder)
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", path);
-    status = kg_file_read(path, &data, &size, error);
+    status = kg_file_read_telling(path, &of_fetching, &data, &size, error);
     if (!status) {
-        status = read_data(data, size, format, path, folder, out_mesh, out_report, error);
+        status =
+            read_data(data, size, format, path, folder, &of_reading, out_mesh, out_report, error);
         free(data);
     }
     free(folder);
@@ -85,5 +95,5 @@ kg_status kg_mesh_read_reporting(const char *path, kg_mesh **out_mesh, kg_mesh_r
 }
 
 kg_status kg_mesh_read(const char *path, kg_mesh **out_mesh, kg_error *error) {
-    return kg_mesh_read_reporting(path, out_mesh, NULL, error);
+    return kg_mesh_read_reporting(path, NULL, out_mesh, NULL, error);
 }

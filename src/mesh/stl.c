@@ -89,6 +89,8 @@ static kg_status read_binary(const unsigned char *data, weld *w, kg_mesh_builder
                                 0, error);
         if (!status)
             status = kg_mesh_builder_end_face(b, 0, error);
+        if (!status)
+            status = kg_mesh_builder_at(b, HEADER_SIZE + (f + 1) * TRIANGLE_SIZE, error);
     }
     return status;
 }
@@ -112,7 +114,8 @@ static kg_status read_text(const void *data, size_t size, weld *w, kg_mesh_build
     do {
         kg_word word;
         kg_vec3 p;
-        if (!kg_text_word(&t, &word))
+        status = kg_mesh_builder_at(b, kg_text_offset(&t, data), error);
+        if (status || !kg_text_word(&t, &word))
             continue;
         if (same_ignoring_case(word, "outer")) {
             open = true;

@@ -19,6 +19,11 @@ typedef struct kg_word {
 
 kg_text kg_text_of(const void *data, size_t size, bool continuations);
 
+/* How many bytes lie behind the present place, of a text that began at `data`. */
+static inline size_t kg_text_offset(const kg_text *t, const void *data) {
+    return (size_t)(t->at - (const char *)data);
+}
+
 /* The next word of the current line; false at its end or at a word that starts with '#'. */
 bool kg_text_word(kg_text *t, kg_word *out_word);
 

@@ -100,7 +100,7 @@ kg_status kg_oa_depth_map(const kg_mesh *mesh, const kg_oa_options *o, const kg_
     if (!status)
         status = view_of(mesh, o, &v, error);
     if (!status)
-        status = kg_mesh_query_create(mesh, &query, error);
+        status = kg_mesh_query_create(mesh, progress, &query, error);
     if (status)
         return status;
     memset(out_depth, 0, (size_t)o->width * (size_t)o->height * sizeof *out_depth);

@@ -1,5 +1,7 @@
 #include "katagami/render.h"
 
+#include "base/progress.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -169,7 +171,8 @@ static void fill_triangles(splitter *s, kg_surface *surface) {
 }
 
 kg_status kg_surface_from_mesh(const kg_mesh *mesh, size_t first_face, size_t face_count,
-                               double crease, kg_surface *out_surface, kg_error *error) {
+                               double crease, const kg_progress *progress, kg_surface *out_surface,
+                               kg_error *error) {
     assert(first_face <= mesh->face_count && face_count <= mesh->face_count - first_face);
     splitter s = {.mesh = *mesh};
     kg_surface surface = {0};
@@ -193,12 +196,19 @@ kg_status kg_surface_from_mesh(const kg_mesh *mesh, size_t first_face, size_t fa
     for (uint32_t c = 0; c < s.count; c++)
         s.parents[c] = c;
     find_face_normals(&s);
+    if ((status = kg_progress_tell(progress, 0.1, "surface", error)))
+        goto done;
     bool own_normals = mesh->normals && crease > 0;
     if (own_normals)
         join_vertices(&s);
     else if (crease > 0 && !join_smooth(&s, crease))
-        goto done;
-    status = triangulate(&s, &surface.triangle_count, error);
+        status = KG_ERR_MEMORY;
+    if (!status)
+        status = kg_progress_tell(progress, 0.8, "surface", error);
+    if (!status)
+        status = triangulate(&s, &surface.triangle_count, error);
+    if (!status)
+        status = kg_progress_tell(progress, 0.9, "surface", error);
     if (status)
         goto done;
     surface.triangles = calloc(surface.triangle_count + 1, 3 * sizeof *surface.triangles);

@@ -4,12 +4,14 @@ The script finds a folder of its own in $TMP, copies of the models of the tests 
 of the project in $DATA. Its user has no preferences. Leaves with 77, "skipped", where the machine cannot draw.
 """
 
-import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import script as tests  # noqa: E402
 
 program, script = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 
@@ -17,9 +19,7 @@ with tempfile.TemporaryDirectory() as folder:
     for model in script.parent.glob("*.katagami"):
         shutil.copy(model, folder)
     shutil.copytree(script.parents[2] / "data", f"{folder}/data")
-    environment = dict(os.environ, TMP=folder, HERE=folder, HOME=folder, LANGUAGE="C",
-                       DATA=f"{folder}/data",
-                       XDG_CONFIG_HOME=f"{folder}/config", XDG_STATE_HOME=f"{folder}/state")
+    environment = tests.environment(folder, TMP=folder, HERE=folder, DATA=f"{folder}/data")
     done = subprocess.run([program, "edit", "--headless", "--script", script], check=False,
                           capture_output=True, text=True, env=environment, cwd=folder)
     sys.stderr.write(done.stderr)

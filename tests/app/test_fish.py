@@ -7,7 +7,6 @@ which --renew names, and at what `git diff` says of the files.
 
 import json
 import math
-import os
 import pathlib
 import re
 import shutil
@@ -31,10 +30,9 @@ FILES = ["fish.katagami", "fish.svg", "fish.json"]
 def made(folder):
     """The texts of the files that the script and `katagami net` write."""
     shutil.copy(HERE.parents[1] / "data" / "dolphin.obj", folder)
-    environment = dict(os.environ, TMP=folder, HOME=folder, LANGUAGE="C",
-                       XDG_CONFIG_HOME=f"{folder}/config", XDG_STATE_HOME=f"{folder}/state")
     done = subprocess.run([PROGRAM, "edit", "--headless", "--script", HERE / "fish.txt"],
-                          check=False, capture_output=True, text=True, env=environment, cwd=folder)
+                          check=False, capture_output=True, text=True, cwd=folder,
+                          env=script.environment(folder, TMP=folder))
     if "EGL" in done.stderr or "OpenGL" in done.stderr:
         raise script.Skip("nothing can be drawn here")
     assert done.returncode == 0, done.stderr

@@ -1,7 +1,6 @@
 """Models folded by hand, by commands, and as the samples hold them. usage: test_fold.py KATAGAMI DATA"""
 
 import json
-import os
 import pathlib
 import shutil
 import subprocess
@@ -44,10 +43,8 @@ def by_hand(name, sample):
         folder = pathlib.Path(place)
         for model in HERE.glob("*.katagami"):
             shutil.copy(model, folder)
-        environment = dict(os.environ, TMP=place, HERE=place, HOME=place, LANGUAGE="C",
-                           XDG_CONFIG_HOME=f"{place}/config", XDG_STATE_HOME=f"{place}/state")
         done = run("edit", "--headless", "--script", HERE / name, folder=place,
-                   environment=environment)
+                   environment=script.environment(place, TMP=place, HERE=place))
         if done.returncode == 1 and ("EGL" in done.stderr or "OpenGL" in done.stderr):
             raise script.Skip("nothing can be drawn here")
         assert done.returncode == 0, done.stderr

@@ -5,7 +5,6 @@ usage: test_loading.py KATAGAMI
 
 import json
 import math
-import os
 import pathlib
 import random
 import subprocess
@@ -52,10 +51,8 @@ def write_model(path, reference=None):
 def run(folder, *lines):
     text = folder / "script.txt"
     text.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    environment = dict(os.environ, HOME=str(folder), LANGUAGE="C", XDG_CONFIG_HOME=str(folder),
-                       XDG_STATE_HOME=str(folder))
     done = subprocess.run([PROGRAM, "edit", "--headless", "--script", text], cwd=folder, text=True,
-                          env=environment, capture_output=True, check=False)
+                          env=script.environment(folder), capture_output=True, check=False)
     if "EGL" in done.stderr or "OpenGL" in done.stderr:
         raise script.Skip("nothing can be drawn here")
     assert done.returncode == 0, done.stderr
@@ -124,7 +121,7 @@ def test_work_survives_an_opening_that_fails_after_it_was_given_up(folder):
     (folder / "bad.katagami").write_text("{")
     run(folder, ADD, "autosave 2", "wait 121", "drop bad.katagami", 'click "Discard"',
         "expect shown Close", "key Esc", "expect patches 1")
-    assert list((folder / "katagami").glob("autosave-*.katagami"))
+    assert list((folder / "state" / "katagami").glob("autosave-*.katagami"))
 
 
 def write_parts(path, count):

@@ -1,6 +1,5 @@
 """Pictures off-screen. usage: test_pictures.py KATAGAMI"""
 
-import os
 import pathlib
 import subprocess
 import sys
@@ -20,7 +19,7 @@ def picture(lines, *words):
         text.write_text("\n".join(lines) + "\n", encoding="utf-8")
         done = subprocess.run([PROGRAM, "edit", MODEL, "--headless", "--script", text, "--shot",
                                shot, *words], check=False, capture_output=True, text=True,
-                              env=dict(os.environ, HOME=folder, LANGUAGE="C"))
+                              env=script.environment(folder))
         if "EGL" in done.stderr or "OpenGL" in done.stderr:
             raise script.Skip("nothing can be drawn here")
         assert done.returncode == 0, done.stderr

@@ -15,6 +15,7 @@ import script  # noqa: E402
 PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 ADD = ('command patch.add {"points": [[0,-40,0],[0,-20,30],[0,20,30],[0,40,0]], '
        '"extent": [-60,60]}')
+DEADLINE_S = 120  # for what takes a second
 GESTURE = ['command select.patches {"patches": [1]}', "command view.front", "key G", "key X",
            "key 7"]
 
@@ -22,10 +23,8 @@ GESTURE = ['command select.patches {"patches": [1]}', "command view.front", "key
 def start(folder, lines):
     text = pathlib.Path(folder) / "script.txt"
     text.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    environment = dict(os.environ, HOME=folder, LANGUAGE="C", XDG_CONFIG_HOME=f"{folder}/config",
-                       XDG_STATE_HOME=f"{folder}/state")
     return subprocess.Popen([PROGRAM, "edit", "--headless", "--script", text], cwd=folder,
-                            env=environment, stderr=subprocess.PIPE, text=True)
+                            env=script.environment(folder), stderr=subprocess.PIPE, text=True)
 
 
 def run(folder, *lines):
@@ -107,13 +106,15 @@ def test_an_autosave_in_a_gesture_leaves_the_history_right():
 
 def test_of_several_crashes_the_last_is_offered_first():
     with tempfile.TemporaryDirectory() as folder:
-        for name in ["first", "second", "third"]:
+        for number, name in enumerate(["first", "second", "third"], 1):
+            before = left_behind(folder)
             run(folder, ADD, f'command patch.rename {{"patch": 1, "name": "{name}"}}', "autosave 2",
                 "wait 121")
+            [newest] = set(left_behind(folder)) - set(before)
+            os.utime(newest, (number, number))  # clocks of files may be coarse
         state = pathlib.Path(folder, "state", "katagami")
         half = state / "autosave-999999.katagami.a1B2c3"
         half.write_text("{")
-        newest = max(left_behind(folder), key=lambda path: path.stat().st_mtime)
         newest.rename(state / "autosave-1.katagami")  # the number is another program's by now
         run(folder, "recover", 'click "Discard"', "expect shown Recover", 'click "Recover"',
             "expect name 1 second", "save two.katagami", "recover", 'click "Recover"',
@@ -143,10 +144,16 @@ def test_killed_while_saving_the_file_is_the_old_or_the_new_one():
         for _ in range(400):
             lines += ['command point.move {"patch": 1, "point": 0, "by": [0, 0, 0.01]}', "save"]
         for _ in range(12):
-            process = start(folder, lines)
-            time.sleep(chance.uniform(0.1, 0.8))
+            before, saves = points(path)[0][2], chance.randint(1, 40)
+            process, end = start(folder, lines), time.monotonic() + DEADLINE_S
+            while (process.poll() is None and time.monotonic() < end and
+                   points(path)[0][2] - before < 0.01 * saves - 1e-9):
+                time.sleep(0.001)
+            time.sleep(chance.uniform(0, 0.01))
             process.kill()
-            process.communicate()
+            said = process.communicate()[1]
+            assert process.returncode in (-9, 0), said  # 0: it was through before the kill came
+            assert points(path)[0][2] - before > 0.01 * saves - 1e-9, "it was not saved"
             checked = subprocess.run([PROGRAM, "check", path], capture_output=True, check=False)
             assert checked.returncode == 0, checked.stderr
 

@@ -10,6 +10,8 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import script  # noqa: E402
 
 PROGRAM = os.path.abspath(sys.argv[1])
 HERE = pathlib.Path(__file__).resolve().parent
@@ -205,7 +207,7 @@ def run(lines, folder):
     path = folder / "s.txt"
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     done = subprocess.run([PROGRAM, "edit", "--headless", "--script", path], check=False,
-                          capture_output=True, text=True)
+                          capture_output=True, text=True, env=script.environment(folder))
     if done.returncode and re.search(r"EGL|OpenGL", done.stderr):
         print(done.stderr)
         sys.exit(SKIPPED)

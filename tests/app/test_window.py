@@ -1,5 +1,6 @@
 """The app in a real window, with a real mouse, under Xvfb. usage: test_window.py KATAGAMI"""
 
+import collections
 import contextlib
 import json
 import os
@@ -17,11 +18,29 @@ PROGRAM = pathlib.Path(sys.argv[1]).resolve()
 MODEL = pathlib.Path(__file__).resolve().parent / "two.katagami"
 SANITIZED = "LD_PRELOAD" in os.environ
 TICKS = os.sysconf("SC_CLK_TCK")
+DEADLINE_S = 120  # for what takes a moment: a busy machine gets all the time it needs
+
+Display = collections.namedtuple("Display", ["name", "server"])  # of the display; process
+
+
+def cpu(process):
+    """Seconds of work that it has done."""
+    fields = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / TICKS
+
+
+def sleeps(process):
+    """Whether none of its threads has anything to do."""
+    states = []
+    for task in pathlib.Path(f"/proc/{process}/task").iterdir():
+        with contextlib.suppress(OSError):  # it ended meanwhile
+            states.append((task / "stat").read_text().rsplit(")", 1)[1].split()[0])
+    return all(state == "S" for state in states)
 
 
 @contextlib.contextmanager
 def screen():
-    """An X server of its own; the environment of its programs."""
+    """An X server of its own."""
     if not (shutil.which("Xvfb") and shutil.which("xdotool")):
         raise script.Skip("Xvfb or xdotool is missing")
     read, write = os.pipe()
@@ -32,16 +51,16 @@ def screen():
         number = os.read(read, 16).decode().strip()
         if not number:
             raise script.Skip("Xvfb does not start here")
-        yield dict(os.environ, DISPLAY=":" + number)
+        yield Display(":" + number, server.pid)
     finally:
         server.terminate()
         server.wait()
         os.close(read)
 
 
-def wait_for(condition, what, seconds=30):
-    """What the condition gives once it holds; a busy machine gets all the time it needs."""
-    end = time.monotonic() + seconds
+def wait_for(condition, what):
+    """What the condition gives once it holds."""
+    end = time.monotonic() + DEADLINE_S
     while time.monotonic() < end:
         found = condition()
         if found:
@@ -51,13 +70,14 @@ def wait_for(condition, what, seconds=30):
 
 
 class App:
-    def __init__(self, environment, folder, *words, **settings):
-        self.environment = dict(environment, HOME=folder, XDG_CONFIG_HOME=folder,
-                                XDG_STATE_HOME=folder, LANGUAGE="C")
-        self.state = pathlib.Path(folder, "katagami")
-        self.state.mkdir(exist_ok=True)
+    def __init__(self, display, folder, *words, **settings):
+        self.server = display.server
+        self.environment = script.environment(folder, DISPLAY=display.name)
+        self.state = pathlib.Path(folder, "state", "katagami")
+        self.settings = pathlib.Path(folder, "config", "katagami", "settings.json")
+        self.settings.parent.mkdir(parents=True, exist_ok=True)
         # the places below are those of a wide 3D view
-        (self.state / "settings.json").write_text(json.dumps({"net_view": False, **settings}))
+        self.settings.write_text(json.dumps({"net_view": False, **settings}))
         self.said = pathlib.Path(folder, "said.txt")
         began = time.monotonic()
         with self.said.open("w") as said:
@@ -84,27 +104,15 @@ class App:
         return subprocess.run(["xdotool", *words], env=self.environment, check=check,
                               capture_output=True, text=True).stdout
 
-    def cpu(self):
-        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().split()
-        return (int(fields[13]) + int(fields[14])) / TICKS
-
-    def sleeps(self):
-        """Whether none of its threads has anything to do."""
-        states = []
-        for task in pathlib.Path(f"/proc/{self.process.pid}/task").iterdir():
-            with contextlib.suppress(OSError):  # it ended meanwhile
-                states.append((task / "stat").read_text().rsplit(")", 1)[1].split()[0])
-        return all(state == "S" for state in states)
-
     def settle(self):
-        """Waits until everything sent has been dealt with, and shows."""
-        quiet = 0
-        end = time.monotonic() + 30
-        spent = self.cpu()
+        """Waits until everything sent has been dealt with, and shows: the server, which passes it on,
+        and the app have nothing to do."""
+        quiet, spent, both = 0, None, (self.server, self.process.pid)
+        end = time.monotonic() + DEADLINE_S
         while quiet < 4 and time.monotonic() < end and self.process.poll() is None:
             time.sleep(0.02)
-            now = self.cpu()
-            quiet = quiet + 1 if self.sleeps() and now == spent else 0
+            now = [cpu(process) for process in both]
+            quiet = quiet + 1 if now == spent and all(map(sleeps, both)) else 0
             spent = now
 
     def move(self, x, y):
@@ -150,12 +158,12 @@ class App:
 
     def end(self):
         self.xdotool("key", "ctrl+q")
-        assert self.process.wait(timeout=30) == 0, self.said.read_text()
+        assert self.process.wait(timeout=DEADLINE_S) == 0, self.said.read_text()
 
 
 @contextlib.contextmanager
-def running(environment, folder, *words, **settings):
-    app = App(environment, folder, *words, **settings)
+def running(display, folder, *words, **settings):
+    app = App(display, folder, *words, **settings)
     try:
         yield app
     finally:
@@ -173,31 +181,34 @@ def first_point(model):
 
 def test_a_window_opens_within_a_second():
     opened = []
-    with screen() as environment, tempfile.TemporaryDirectory() as folder:
+    with screen() as display, tempfile.TemporaryDirectory() as folder:
         while len(opened) < 5 and (not opened or min(opened) >= 1):  # others may have the machine
-            with running(environment, folder, MODEL) as app:
+            with running(display, folder, MODEL) as app:
                 opened.append(app.opened)
                 app.end()
     assert SANITIZED or min(opened) < 1, opened
 
 
 def test_an_idle_window_costs_nothing():
-    with screen() as environment, tempfile.TemporaryDirectory() as folder:
-        with running(environment, folder, MODEL) as app:
-            spent = app.cpu()
-            time.sleep(1.5)
-            assert app.cpu() - spent < 0.05, app.cpu() - spent
+    with screen() as display, tempfile.TemporaryDirectory() as folder:
+        with running(display, folder, MODEL) as app:
+            costs = []
+            while not costs or (min(costs) >= 0.05 and len(costs) < 20):
+                spent = cpu(app.process.pid)
+                time.sleep(1.5)
+                costs.append(cpu(app.process.pid) - spent)
+            assert min(costs) < 0.05, costs  # the server may ask for a picture now and then
             app.end()
-            settings = model_at(app.state / "settings.json")
+            settings = model_at(app.settings)
             assert settings["autosave_minutes"] == 2, "work of two minutes is lost at most"
 
 
 def test_a_point_is_dragged_by_the_mouse():
-    with screen() as environment, tempfile.TemporaryDirectory() as folder:
+    with screen() as display, tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "two.katagami")
         shutil.copy(MODEL, path)
         before = model_at(path)
-        with running(environment, folder, path) as app:
+        with running(display, folder, path) as app:
             app.click(350, 480)  # the body
             app.drag(381, 624, -40, 30)  # its first point
             assert app.title() == "● two.katagami — katagami", app.title()
@@ -211,9 +222,9 @@ def test_a_point_is_dragged_by_the_mouse():
 
 
 def test_a_patch_is_placed_pulled_and_its_net_exported():
-    with screen() as environment, tempfile.TemporaryDirectory() as folder:
+    with screen() as display, tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "one.katagami")
-        with running(environment, folder) as app:
+        with running(display, folder) as app:
             app.key("alt+1")
             app.click(20, 122)  # the button of the tool that places patches
             for x, y in ((300, 400), (400, 330), (520, 330), (620, 400)):
@@ -242,11 +253,11 @@ def test_a_patch_is_placed_pulled_and_its_net_exported():
 
 
 def test_killed_the_work_is_offered_at_the_next_start():
-    with screen() as environment, tempfile.TemporaryDirectory() as folder:
+    with screen() as display, tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "two.katagami")
         shutil.copy(MODEL, path)
         before = model_at(path)
-        with running(environment, folder, path, autosave_minutes=0.01) as app:
+        with running(display, folder, path, autosave_minutes=0.01) as app:
             app.click(350, 480)
             app.drag(381, 624, -40, 30)
             wait_for(lambda: any(first_point(model_at(path)) != first_point(before)
@@ -255,7 +266,7 @@ def test_killed_the_work_is_offered_at_the_next_start():
             kept = model_at(app.autosaves()[0])
         assert model_at(path) == before
         assert first_point(kept) != first_point(before)
-        with running(environment, folder) as app:
+        with running(display, folder) as app:
             app.key("Return")  # Recover
             wait_for(lambda: app.title() == "● two.katagami — katagami", "the work recovered")
             app.key("ctrl+s")

@@ -100,7 +100,7 @@ static void references_are_turned_scaled_and_moved(void **state) {
         kg_document *d = document_of(model, model_path);
         kg_mesh *mesh = NULL;
         kg_error error;
-        if (kg_document_reference(d, &mesh, &error))
+        if (kg_document_reference(d, NULL, &mesh, &error))
             fail_msg("%s", error.message);
         kg_box3 b = kg_box3_empty();
         for (size_t i = 0; i < mesh->vertex_count; i++)
@@ -125,7 +125,7 @@ static void a_missing_reference_is_named(void **state) {
     kg_document *d = document_of(model, "/tmp/model.katagami");
     kg_mesh *mesh = NULL;
     kg_error error;
-    assert_int_equal(kg_document_reference(d, &mesh, &error), KG_ERR_IO);
+    assert_int_equal(kg_document_reference(d, NULL, &mesh, &error), KG_ERR_IO);
     assert_non_null(strstr(error.message, "/tmp/none/mesh.obj"));
     kg_document_destroy(d);
 }

@@ -55,7 +55,7 @@ static kg_vec3 random_point(kg_random *random, double size) {
 static kg_mesh_query *query_of(const kg_mesh *mesh) {
     kg_mesh_query *query = NULL;
     kg_error error;
-    if (kg_mesh_query_create(mesh, &query, &error))
+    if (kg_mesh_query_create(mesh, NULL, &query, &error))
         fail_msg("%s", error.message);
     return query;
 }
@@ -188,7 +188,7 @@ static void a_mesh_that_is_one_point_or_empty_has_answers(void **state) {
     mesh = kg_mesh_create();
     kg_error error;
     query = NULL;
-    assert_int_equal(kg_mesh_query_create(mesh, &query, &error), KG_ERR_INPUT);
+    assert_int_equal(kg_mesh_query_create(mesh, NULL, &query, &error), KG_ERR_INPUT);
     assert_null(query);
     kg_mesh_destroy(mesh);
 }

@@ -365,9 +365,14 @@ static double seconds_for(size_t count) {
 
 static void time_grows_with_the_number_of_patches_not_its_square(void **state) {
     (void)state;
-    double few = seconds_for(500), many = seconds_for(4000);
+    /* Linear: 8; quadratic: 64. What else the machine does only ever adds, so the least counts. */
+    double few = INFINITY, many = INFINITY;
+    for (int i = 0; i < 20 && !(many < 24 * few && i > 0); i++) {
+        few = fmin(few, seconds_for(500));
+        many = fmin(many, seconds_for(4000));
+    }
     print_message("1000 patches %.1f ms, 8000 patches %.1f ms\n", 1e3 * few, 1e3 * many);
-    assert_true(many < 24 * few); /* linear: 8; quadratic: 64 */
+    assert_true(many < 24 * few);
 }
 
 int main(void) {

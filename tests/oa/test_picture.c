@@ -41,7 +41,8 @@ static void rays_and_rendering_find_the_same_depths(void **state) {
     kg_surface surface;
     kg_shape *shape;
     assert_int_equal(kg_renderer_create(&renderer, NULL), KG_OK);
-    assert_int_equal(kg_surface_from_mesh(mesh, 0, mesh->face_count, 0, &surface, NULL), KG_OK);
+    assert_int_equal(kg_surface_from_mesh(mesh, 0, mesh->face_count, 0, NULL, &surface, NULL),
+                     KG_OK);
     assert_int_equal(kg_shape_from_surface(&surface, &shape, NULL), KG_OK);
     kg_item item = {.shape = shape, .style = kg_style_default(kg_palette(0)), .id = 1};
     kg_scene scene = kg_scene_default();

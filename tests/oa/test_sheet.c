@@ -237,7 +237,7 @@ static void standing_card_is_the_voxels_own_surface(void **state) {
     assert_near(box.hi.z, 6, 1e-12);
     kg_mesh_query *query;
     kg_mesh_hit hit;
-    assert_int_equal(kg_mesh_query_create(mesh, &query, NULL), KG_OK);
+    assert_int_equal(kg_mesh_query_create(mesh, NULL, &query, NULL), KG_OK);
     assert_true(kg_mesh_query_ray(query, kg_v3(3, -20, 1), kg_v3(0, 1, 0), &hit));
     assert_near(hit.point.y, -2, 1e-12);
     assert_near(hit.normal.y, -1, 1e-12); /* its printed side */

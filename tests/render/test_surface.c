@@ -20,7 +20,7 @@ static kg_mesh cube(void) {
 static kg_surface converted(const kg_mesh *mesh, size_t first, size_t count, double crease) {
     kg_surface s;
     kg_error e = {0};
-    if (kg_surface_from_mesh(mesh, first, count, crease, &s, &e))
+    if (kg_surface_from_mesh(mesh, first, count, crease, NULL, &s, &e))
         fail_msg("%s", e.message);
     for (size_t i = 0; i < 3 * s.triangle_count; i++)
         assert_true(s.triangles[i] < s.vertex_count);
@@ -140,6 +140,28 @@ static void degenerate_faces_give_no_nan(void **state) {
     kg_surface_destroy(&s);
 }
 
+static bool stop_in_time(void *left, double fraction, const char *what) {
+    assert_true(fraction >= 0 && fraction <= 1 && what[0]);
+    return --*(int *)left != 0;
+}
+
+static void a_surface_that_is_cancelled_leaves_what_was_there(void **state) {
+    (void)state;
+    kg_mesh m = cube();
+    kg_surface s = {.vertex_count = 99};
+    kg_status status = KG_ERR_CANCELLED;
+    int words = 0;
+    while (status) { /* stopped at its first word, at its second, … */
+        int left = ++words;
+        kg_progress progress = {stop_in_time, &left};
+        status = kg_surface_from_mesh(&m, 0, 6, 1.6, &progress, &s, NULL);
+        assert_true(!status || (status == KG_ERR_CANCELLED && left == 0 && s.vertex_count == 99));
+    }
+    assert_true(words > 2);
+    assert_int_equal(s.vertex_count, 8);
+    kg_surface_destroy(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(flat_faces_keep_their_own_normals),
@@ -149,6 +171,7 @@ int main(void) {
         cmocka_unit_test(faces_turned_against_each_other_stay_sharp),
         cmocka_unit_test(a_vertex_of_many_faces_is_quick),
         cmocka_unit_test(degenerate_faces_give_no_nan),
+        cmocka_unit_test(a_surface_that_is_cancelled_leaves_what_was_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

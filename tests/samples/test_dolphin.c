@@ -207,7 +207,7 @@ static void fins_and_beak_stand_on_the_body(void **state) {
 static void body_strips_follow_the_shape(void **state) {
     const dolphin *d = *state;
     kg_mesh_query *query;
-    assert_int_equal(kg_mesh_query_create(d->reference, &query, NULL), KG_OK);
+    assert_int_equal(kg_mesh_query_create(d->reference, NULL, &query, NULL), KG_OK);
     double sum = 0, most = 0;
     size_t count = 0;
     for (size_t i = 0; i < BODY_STRIPS; i++) {

@@ -71,7 +71,7 @@ static kg_status export_guide(kg_editor *e, const json_t *a, kg_error *error) {
         e->request = KG_REQUEST_EXPORT_GUIDE;
     if (status || !path)
         return status;
-    status = kg_export_job_start(e, path, true, &job, error);
+    status = kg_export_job_start(e, path, true, NULL, &job, error);
     return status ? status : kg_export_job_finish(job, error);
 }
 

@@ -71,7 +71,7 @@ static void collect(kg_conversion *c) {
     snprintf(c->error, sizeof c->error, "%s", status ? error.message : "");
 }
 
-static void start(kg_conversion *c, const kg_oa_options *options) {
+static void start(kg_conversion *c, const kg_oa_options *options, kg_gate *gate) {
     kg_error error;
     if (!c->stale)
         return;
@@ -82,7 +82,7 @@ static void start(kg_conversion *c, const kg_oa_options *options) {
     kg_mesh *mesh = c->mesh;
     c->mesh = NULL;
     c->stale = false;
-    if (kg_convert_job_start(c->path, mesh, options, &c->job, &error))
+    if (kg_convert_job_start(c->path, mesh, options, gate, &c->job, &error))
         snprintf(c->error, sizeof c->error, "%s", error.message);
 }
 
@@ -96,7 +96,8 @@ static kg_status draw(kg_app *app, const kg_mesh *mesh, const kg_area *area, kg_
     kg_shape *edges = NULL;
     kg_camera camera = kg_camera_default();
     kg_camera_fit(&camera, kg_mesh_bounds(mesh), area->width / area->height);
-    kg_status status = kg_surface_from_mesh(mesh, 0, mesh->face_count, CREASE, &surface, error);
+    kg_status status =
+        kg_surface_from_mesh(mesh, 0, mesh->face_count, CREASE, NULL, &surface, error);
     if (status)
         return status;
     kg_overlay_surface(&overlay, &surface, kg_style_default(paper));
@@ -299,7 +300,7 @@ void kg_panel_convert(kg_app *app) {
         tell(c, o);
         kg_ui_table_end();
     }
-    start(c, o);
+    start(c, o, &app->gate);
     kg_ui_space();
     bool ready = !c->job && !c->stale && c->made.document;
     kg_ui_disabled_begin(c->error[0] && !c->job);

@@ -163,7 +163,8 @@ static kg_status start_picture(kg_app *app, const char *path, kg_error *error) {
     int height = (int)fmax(width * a->height / fmax(a->width, 1), 1);
     kg_image image;
     kg_status status = kg_scenery_picture(app->stage, &app->editor, width, height, &image, error);
-    return status ? status : kg_export_job_picture(&image, path, &app->export_job, error);
+    return status ? status
+                  : kg_export_job_picture(&image, path, &app->gate, &app->export_job, error);
 }
 
 static void told(kg_app *app, kg_status status, const char *path, const kg_error *error) {
@@ -185,7 +186,7 @@ void kg_export_to(kg_app *app, kg_purpose purpose, const char *path) {
         return;
     if (purpose == KG_FOR_PICTURE
             ? start_picture(app, path, &error)
-            : kg_export_job_start(&app->editor, path, guide, &app->export_job, &error))
+            : kg_export_job_start(&app->editor, path, guide, &app->gate, &app->export_job, &error))
         kg_dialogs_fail(app, &error);
     else
         app->dialogs.open_progress = true;

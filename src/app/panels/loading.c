@@ -126,7 +126,8 @@ void kg_loading_open(kg_app *app, const char *path) {
     kg_error error;
     if (app->load_job)
         give_up(app);
-    kg_status status = kg_load_job_document(path, KG_EDITOR_CHORD, &app->load_job, &error);
+    kg_status status =
+        kg_load_job_document(path, KG_EDITOR_CHORD, &app->gate, &app->load_job, &error);
     began(app, status, is_small(path, SMALL_DOCUMENT), &error);
 }
 
@@ -139,7 +140,8 @@ void kg_loading_reference(kg_app *app, const char *path) {
             kg_dialogs_fail(app, &error);
         return;
     }
-    kg_status status = kg_load_job_reference(app->editor.document, path, &app->load_job, &error);
+    kg_status status =
+        kg_load_job_reference(app->editor.document, path, &app->gate, &app->load_job, &error);
     began(app, status, is_small(path, SMALL_MESH), &error);
 }
 
@@ -154,7 +156,7 @@ static void follow_model(kg_app *app) {
     if (!model || !model->reference.file)
         return;
     char *path = kg_document_reference_path(e->document);
-    kg_status status = kg_load_job_reference(e->document, NULL, &app->load_job, &error);
+    kg_status status = kg_load_job_reference(e->document, NULL, &app->gate, &app->load_job, &error);
     began(app, status, is_small(path, SMALL_MESH), &error);
     free(path);
 }
@@ -171,11 +173,9 @@ static void show(kg_app *app) {
     if (!kg_ui_modal_begin(_("Loading"), 420))
         return;
     if (job) {
-        kg_load_step step = kg_load_job_step(job);
         if (kg_load_job_path(job))
             kg_ui_text_wrapped(kg_load_job_path(job));
-        kg_ui_progress(kg_load_job_is_document(job) ? ((int)step + 0.5) / KG_LOAD_STEP_COUNT : 0.5,
-                       steps[step]);
+        kg_ui_progress(kg_load_job_fraction(job), steps[kg_load_job_step(job)]);
         if (kg_ui_button(_("Cancel")) || kg_ui_key_pressed(KG_KEY_ESCAPE))
             give_up(app);
     }
