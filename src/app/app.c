@@ -139,9 +139,8 @@ static void give_to_editor(kg_app *app, const kg_event *event) {
     if (e->tool->event(e, event) || event->type != KG_EVENT_KEY)
         return;
     const kg_app_command *command = kg_command_of_key(e, event);
-    kg_error error;
-    if (command && kg_command_is_enabled(command, e) && kg_command_run(command, e, NULL, &error))
-        return; /* it is shown */
+    if (command)
+        kg_command_use(command, e);
 }
 
 static void give_to_app(kg_app *app, const kg_event *event) {

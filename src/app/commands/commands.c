@@ -108,11 +108,24 @@ kg_status kg_command_run(const kg_app_command *command, kg_editor *e, const json
     return status;
 }
 
+void kg_command_use(const kg_app_command *command, kg_editor *e) {
+    kg_error error;
+    if (kg_command_is_enabled(command, e)) {
+        if (kg_command_run(command, e, NULL, &error))
+            return; /* it has been shown */
+    } else if (command->enabled == kg_has_selection) {
+        kg_editor_say(e, KG_WARNING, _("%s: select a patch first."), _(command->title));
+    } else if (command->enabled == kg_has_two_selected) {
+        kg_editor_say(e, KG_WARNING,
+                      _("%s: select the patch to trim, then with Shift its cutters."),
+                      _(command->title));
+    }
+}
+
 void kg_command_do(kg_editor *e, const char *id) {
     const kg_app_command *command = kg_command_find(id);
-    kg_error error;
-    if (command && kg_command_is_enabled(command, e) && kg_command_run(command, e, NULL, &error))
-        return; /* it has been shown */
+    if (command)
+        kg_command_use(command, e);
 }
 
 bool kg_command_do_with(kg_editor *e, const char *id, json_t *arguments) {

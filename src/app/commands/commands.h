@@ -44,7 +44,8 @@ bool kg_command_is_enabled(const kg_app_command *command, const kg_editor *edito
 /* Runs a command; a failure is also shown as a message. */
 kg_status kg_command_run(const kg_app_command *command, kg_editor *editor, const json_t *arguments,
                          kg_error *error) KG_CHECKED;
-/* By hand, when it is enabled; what goes wrong is shown. */
+/* By hand; what goes wrong is shown, and when it is not enabled what has to be selected for it. */
+void kg_command_use(const kg_app_command *command, kg_editor *editor);
 void kg_command_do(kg_editor *editor, const char *id);
 /* With arguments, which it takes over (NULL: memory ran out); what goes wrong is shown. Whether it
  * was done. */

@@ -125,7 +125,10 @@ static kg_status trim_inside(kg_editor *e, const json_t *a, kg_error *error) {
      * the file's key for it in every language */
     if (status && !a && strstr(error->message, "keep"))
         return kg_tool_start_face(e, id, error);
-    return kg_editor_finish(e, status);
+    status = kg_editor_finish(e, status);
+    if (!status && !a)
+        kg_editor_select(e, id, false);
+    return status;
 }
 
 /* ---- contours --------------------------------------------------------------------------- */

@@ -68,7 +68,11 @@ static bool on_event(kg_editor *e, const kg_event *event) {
     case KG_EVENT_PRESS:
         if (event->button != KG_MOUSE_LEFT)
             return false;
-        if (aim(e, s, event->position, &at) && !kg_push(&s->corners, at))
+        if (!aim(e, s, event->position, &at))
+            kg_editor_say(
+                e, KG_WARNING, "%s",
+                _("A contour lies on its patch: click there, or widen the extent first."));
+        else if (!kg_push(&s->corners, at))
             kg_editor_say(e, KG_FAULT, "%s", _("Out of memory."));
         s->aimed = false;
         return true;

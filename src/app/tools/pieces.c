@@ -40,10 +40,14 @@ static void keep(kg_editor *e, kg_trim_op *op, kg_vec3 place) {
     op->keep[op->keep_count++] = place;
 }
 
+/* The trimmed patch stays selected, so that the next trim can name its cutter. */
 static void finish(kg_editor *e) {
+    const state *s = e->tool_state;
+    int64_t patch = s->patch;
     kg_editor_touch(e);
     kg_editor_commit(e);
     kg_editor_use_default(e);
+    kg_editor_select(e, patch, false);
 }
 
 /* ---- a face among several ----------------------------------------------------------------- */

@@ -253,7 +253,8 @@ bool kg_select_box_now(const kg_editor *e, kg_vec2 *out_from) {
 
 static const char *hint_now(const kg_editor *e) {
     const state *s = e->tool_state;
-    if (s && s->gesture == DRAGGING_POINTS && s->drag.on_surface && s->drag.axis < 0)
+    if (s && s->gesture == DRAGGING_POINTS && s->drag.on_surface && s->drag.axis < 0 &&
+        !(e->mods & KG_MOD_ALT))
         return _("The point slides on the reference   Alt: screen plane   X/Y/Z: axis   Ctrl: "
                  "steps   Shift: fine   Esc: back");
     if (s && s->gesture == DRAGGING_POINTS)
