@@ -61,6 +61,8 @@ KG_API kg_status kg_document_new_card(const int size[3], double cell_mm, kg_docu
                                       kg_error *error) KG_CHECKED;
 /* The side of a cell, mm, for such a card: at most 2.5, less where the sheet would leave an A4. */
 KG_API double kg_document_card_cell(const int size[3]);
+/* Makes the cells of a card so small that its sheet with its margin fits as well. */
+KG_API void kg_document_card_fit(kg_oa *oa);
 /* A rectangular sheet with its middle at the origin, not folded yet; colours as
  * 0xrrggbb. KG_ERR_INPUT: out of range. */
 KG_API kg_status kg_document_new_sheet(kg_vec2 size, uint32_t front, uint32_t back,

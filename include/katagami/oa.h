@@ -408,18 +408,22 @@ typedef struct kg_oa_options {
     bool windows;
     int thin_top; /* tops at most so many cells deep may be left out; 0: none */
     bool diagonals;
+    bool stable;    /* kg_oa_stabilize */
+    int margin;     /* plain cells on each side, at least */
+    bool covering;  /* more of them, so that nothing sticks out when the card is closed */
     double tiny_mm; /* of the card */
 } kg_oa_options;
 
-/* 80 x 40 x 40 cells of 2.5 mm, up +y, front +z, one scale, smooth 3, windows, no thin tops. */
+/* 80 x 40 x 40 cells of 2.5 mm, up +y, front +z, one scale, smooth 3, windows, no thin tops, no
+ * margin. */
 KG_API kg_oa_options kg_oa_options_default(void);
 
 /* "x", "-y" and the like; false for other words. */
 KG_API bool kg_oa_axis_parse(const char *text, kg_vec3 *out_axis);
 
 /* Makes a card of a mesh (section 3): the depth of its front half seen from the front, smoothed,
- * made a staircase, opened by windows, thin tops left out. The first and last column, the top row
- * and the front row of the base stay plain. KG_ERR_INPUT (sizes; a mesh without any extent across
+ * made a staircase, opened by windows, thin tops left out, and made to stand. The first and last
+ * column, the top row and the front row of the base stay plain. KG_ERR_INPUT (sizes; a mesh without any extent across
  * the view), KG_ERR_CANCELLED, KG_ERR_MEMORY. `progress` may be NULL. */
 KG_API kg_status kg_oa_convert(const kg_mesh *mesh, const kg_oa_options *options,
                                const kg_progress *progress, kg_oa **out_oa,

@@ -28,6 +28,9 @@ kg_status kg_convert(const kg_mesh *mesh, const char *path, const kg_oa_options 
     kg_status status = kg_oa_convert(mesh, options, progress, &oa, error);
     if (status)
         return status;
+    if (options->cell_mm ==
+        kg_document_card_cell((int[]){options->width, options->depth, options->height}))
+        kg_document_card_fit(oa); /* nobody asked for another */
     char *title = kg_file_stem(path);
     if (!title) {
         kg_oa_destroy(oa);

@@ -55,6 +55,10 @@ struct kg_mode {
     /* Adds to the drawing of the net's part; may be NULL. `scale`: pixels per layout unit. */
     void (*net_draw)(const kg_editor *editor, const kg_net_map *map, double scale);
 
+    /* Whether the document works, in a sentence for the status bar; false: nothing is wrong with
+     * it. NULL: faults and warnings are counted. */
+    bool (*verdict)(const kg_editor *editor, char *out, size_t size, kg_severity *out_severity);
+
     /* An assertion of a script, the words after "expect". */
     kg_status (*expect)(const kg_editor *editor, const char *words, kg_error *error);
 };

@@ -20,6 +20,9 @@ static const kg_option options[] = {
     {"no-windows", 0, false, NULL, "leave the front closed"},
     {"thin-top", 0, true, "N", "leave out tops at most N cells deep where possible (0)"},
     {"diagonals", 0, false, NULL, "45-degree folds where they hold"},
+    {"stable", 0, false, NULL, "change a few cells so that no patch is loose and the card stands"},
+    {"margin", 0, true, "N",
+     "plain cells on each side; fit: so many that the closed card covers it (0)"},
     {"tiny", 0, true, "MM", "warn of folds and strips between cuts narrower than this (2)"},
     {"title", 0, true, "TEXT", "title of the card (the mesh's name)"},
     {"progress", 0, false, NULL, "tell on standard error how far the work is"},
@@ -40,6 +43,18 @@ static int read_axes(const kg_arguments *a, kg_oa_options *out) {
 
 static bool is_side(int cells, int least) {
     return cells >= least && cells <= KG_OA_MAX_SIZE;
+}
+
+static int read_margin(const kg_arguments *a, kg_oa_options *out) {
+    const char *margin = kg_arguments_get(a, "margin");
+    double cells = 0;
+    out->covering = margin && strcmp(margin, "fit") == 0;
+    if (!out->covering && !kg_arguments_number(a, "margin", 0, KG_OA_MAX_MARGIN, &cells))
+        return KG_EXIT_USAGE;
+    if (cells != floor(cells))
+        return kg_command_misuse("oa", "--margin is a whole number of cells, or fit");
+    out->margin = (int)cells;
+    return -1;
 }
 
 static int read_options(const kg_arguments *a, kg_oa_options *out) {
@@ -72,7 +87,8 @@ static int read_options(const kg_arguments *a, kg_oa_options *out) {
     out->windows = !kg_arguments_get(a, "no-windows");
     out->stretch = kg_arguments_get(a, "stretch") != NULL;
     out->diagonals = kg_arguments_get(a, "diagonals") != NULL;
-    return -1;
+    out->stable = kg_arguments_get(a, "stable") != NULL;
+    return read_margin(a, out);
 }
 
 static bool tell(void *user, double fraction, const char *what) {
@@ -94,6 +110,8 @@ static kg_status convert(const kg_arguments *a, const kg_oa_options *wanted, con
     kg_mesh_destroy(mesh);
     if (progress.call)
         fputc('\n', stderr);
+    if (!status && !kg_arguments_get(a, "cell"))
+        kg_document_card_fit(oa);
     if (!status) {
         free(oa->title);
         oa->title = title ? strdup(title) : kg_file_stem(a->words[0]);

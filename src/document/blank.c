@@ -11,6 +11,13 @@ double kg_document_card_cell(const int size[3]) {
     return fmin(LARGEST_CELL, fmax(floor(fit * 100), 1) / 100);
 }
 
+void kg_document_card_fit(kg_oa *oa) {
+    int margin =
+        oa->margin_cells; /* two of them beside both sheets together, as beside the width */
+    const int size[3] = {oa->width + 2 * margin, oa->depth_limit + margin, oa->height + margin};
+    oa->cell_mm = fmin(oa->cell_mm, kg_document_card_cell(size));
+}
+
 kg_status kg_document_new_card(const int size[3], double cell_mm, kg_document **out_document,
                                kg_error *error) {
     kg_oa *oa;

@@ -86,6 +86,9 @@ static kg_status check_options(const kg_mesh *mesh, const kg_oa_options *o, kg_e
                        o->depth, o->height);
     if (fabs(kg_dot(o->up, o->front)) > 1e-9) /* of unit vectors: rounding only */
         return kg_fail(error, KG_ERR_INPUT, "what points up cannot point to the front");
+    if (o->margin < 0 || o->margin > KG_OA_MAX_MARGIN)
+        return kg_fail(error, KG_ERR_INPUT, "the margin is 0 to %d cells, not %d", KG_OA_MAX_MARGIN,
+                       o->margin);
     if (o->smooth < 0 || (o->smooth > 1 && o->smooth % 2 == 0))
         return kg_fail(error, KG_ERR_INPUT, "the square that smooths has an odd side, not %d",
                        o->smooth);
@@ -206,7 +209,22 @@ static kg_status fill(const kg_mesh *mesh, const kg_oa_options *o, const kg_prog
         status = kg_oa_thin_tops(oa, o->thin_top, error);
     if (!status && o->diagonals)
         status = try_diagonals(oa, error);
+    kg_oa_mended mended;
+    if (!status && o->stable)
+        status = kg_oa_stabilize(oa, progress, &mended, error);
     return status;
+}
+
+/* As many cells more that the closed card covers its model. */
+static kg_status widen(kg_oa *oa, kg_error *error) {
+    kg_oa_sheet *sheet;
+    kg_status status = kg_oa_sheet_create(oa, &sheet, error);
+    if (status)
+        return status;
+    int margin = oa->margin_cells + kg_oa_overhang(sheet);
+    oa->margin_cells = margin < KG_OA_MAX_MARGIN ? margin : KG_OA_MAX_MARGIN;
+    kg_oa_sheet_destroy(sheet);
+    return KG_OK;
 }
 
 kg_status kg_oa_convert(const kg_mesh *mesh, const kg_oa_options *options,
@@ -217,10 +235,13 @@ kg_status kg_oa_convert(const kg_mesh *mesh, const kg_oa_options *options,
     if (status)
         return status;
     oa->tiny_mm = options->tiny_mm;
+    oa->margin_cells = options->margin;
     unsigned char *raised = calloc((size_t)oa->width, (size_t)oa->height);
     status = raised ? fill(mesh, options, progress, oa, raised, error)
                     : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     free(raised);
+    if (!status && options->covering)
+        status = widen(oa, error);
     if (status)
         kg_oa_destroy(oa);
     else

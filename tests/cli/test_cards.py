@@ -173,11 +173,44 @@ def test_mesh_becomes_a_card():
     assert "windows" not in json.loads((HERE / "closed.katagami").read_text(encoding="utf-8"))["oa"]
 
 
+def converted(name, *words):
+    run("oa", DATA / "castle.obj", "-o", f"{name}.katagami", *words)
+    return json.loads((HERE / f"{name}.katagami").read_text(encoding="utf-8"))["oa"]
+
+
+def test_card_of_a_mesh_stands_when_asked():
+    wobbly, firm = converted("wobbly"), converted("firm", "--stable")
+    assert "[loose]" in run("check", "wobbly.katagami").stdout
+    assert "[loose]" not in run("check", "firm.katagami").stdout
+    assert "[flap]" not in run("check", "firm.katagami").stdout
+    voxels = [v for column in wobbly["depth"] for v in column]
+    changed = [abs(a - b) for a, b in zip(voxels, (v for c in firm["depth"] for v in c))]
+    assert sum(changed) < sum(voxels) / 50
+    assert converted("again", "--stable") == firm
+
+
+def test_closed_card_covers_its_model_when_asked():
+    wide = ("--size", "80x30x30", "--stretch")
+    assert "margin_cells" not in converted("bare", *wide)
+    assert "[overhang]" in run("check", "bare.katagami").stdout
+    assert "sticks out" in run("net", "bare.katagami", "-o", "bare.svg").stderr
+    fit = converted("fit", *wide, "--margin", "fit")
+    assert "[overhang]" not in run("check", "fit.katagami").stdout
+    margin = fit["margin_cells"]
+    assert margin > 0 and fit["cell_mm"] * (80 + 2 * margin) <= 194  # an A4 within its margins
+    less = converted("less", *wide, "--margin", str(margin - 1))
+    assert less["margin_cells"] == margin - 1
+    assert "[overhang]" in run("check", "less.katagami").stdout
+    chosen = converted("chosen", *wide, "--margin", "fit", "--cell", "5")
+    assert chosen["margin_cells"] == margin and chosen["cell_mm"] == 5
+
+
 def test_wrong_options_are_usage():
     mesh = DATA / "castle.obj"
     for words in (["--size", "4x4"], ["--size", "0x4x4"], ["--size", "9000x4x4"],
                   ["--up", "w"], ["--up", "y", "--front", "-y"], ["--smooth", "2"],
-                  ["--thin-top", "-1"], ["--windows", "--no-windows"], ["--cell", "0"]):
+                  ["--thin-top", "-1"], ["--windows", "--no-windows"], ["--cell", "0"],
+                  ["--margin", "-1"], ["--margin", "1.5"], ["--margin", "wide"]):
         run("oa", mesh, "-o", "no.katagami", *words, expect=2)
     run("oa", mesh, expect=2)
     run("oa", HERE / "nothing.obj", "-o", "no.katagami", expect=1)

@@ -252,6 +252,49 @@ static kg_status omit_thin(kg_editor *e, const json_t *a, kg_error *error) {
     return kg_editor_finish(e, kg_oa_thin_tops(kg_editor_oa(e), depth, error));
 }
 
+/* Says what came of it; a card that is firm is left without a step of the history. */
+static kg_status stabilize(kg_editor *e, const json_t *a, kg_error *error) {
+    kg_oa_mended mended;
+    (void)a;
+    kg_status status = kg_editor_begin(e, N_("Make it stand"), error);
+    if (status)
+        return status;
+    status = kg_oa_stabilize(kg_editor_oa(e), NULL, &mended, error);
+    if (!status && mended.cells > 0)
+        kg_editor_touch(e);
+    status = kg_editor_finish(e, status);
+    if (status)
+        return status;
+    if (mended.loose + mended.missing > 0)
+        kg_editor_say(
+            e, KG_WARNING,
+            _("Changed %zu cells, but %zu patches are still loose; no small change helps."),
+            mended.cells, mended.loose);
+    else if (mended.cells > 0)
+        kg_editor_say(e, KG_WARNING, _("The card stands: %zu cells were changed."), mended.cells);
+    else
+        kg_editor_say(e, KG_WARNING, "%s", _("The card stands already."));
+    return KG_OK;
+}
+
+/* Margin enough that nothing sticks out of the closed card. */
+static kg_status cover(kg_editor *e, const json_t *a, kg_error *error) {
+    const kg_oa_sheet *sheet = kg_document_sheet(e->document);
+    int more = sheet ? kg_oa_overhang(sheet) : 0, margin = kg_editor_oa(e)->margin_cells + more;
+    (void)a;
+    if (margin > KG_OA_MAX_MARGIN)
+        return kg_fail(error, KG_ERR_INPUT,
+                       "no margin covers the model: it would have to be %d cells wide", margin);
+    kg_status status = kg_editor_begin(e, N_("Margin"), error);
+    if (status)
+        return status;
+    kg_editor_oa(e)->margin_cells = margin;
+    if (more > 0)
+        kg_editor_touch(e);
+    kg_editor_commit(e);
+    return KG_OK;
+}
+
 static kg_status mirror_now(kg_editor *e, const json_t *a, kg_error *error) {
     const char *from = "left";
     kg_status status = kg_argument_text(a, "from", &from, error);
@@ -370,6 +413,13 @@ static const kg_app_command items[] = {
      "Ctrl+Shift+W", NULL, fill_windows, is_not_empty, KG_COMMAND_EDIT},
     {"card.omit_thin", N_("Leave out thin tops"),
      N_("Leaves out tops one cell deep where the card holds without them."), NULL, NULL, omit_thin,
+     is_not_empty, KG_COMMAND_EDIT},
+    {"card.stabilize", N_("Make it stand"),
+     N_("Changes as few cells as it can so that no patch is loose: closes windows, puts tops back, "
+        "moves fronts and tops."),
+     "Ctrl+Shift+L", NULL, stabilize, is_not_empty, KG_COMMAND_EDIT},
+    {"card.cover", N_("Cover it when closed"),
+     N_("Makes the margin so wide that nothing sticks out of the closed card."), NULL, NULL, cover,
      is_not_empty, KG_COMMAND_EDIT},
     {"card.mirror_now", N_("Make symmetric"),
      N_("Makes the right half the mirror image of the left half."), "Ctrl+M", NULL, mirror_now,

@@ -93,6 +93,12 @@ static kg_status read_conversion(const json_t *a, kg_oa_options *o, kg_error *er
         status = kg_argument_bool(a, "windows", &o->windows, error);
     if (!status)
         status = kg_argument_bool(a, "diagonals", &o->diagonals, error);
+    if (!status)
+        status = kg_argument_bool(a, "stable", &o->stable, error);
+    if (!status)
+        status = read_count(a, "margin", &o->margin, error);
+    if (!status)
+        status = kg_argument_bool(a, "covering", &o->covering, error);
     return status ? status : kg_argument_bool(a, "stretch", &o->stretch, error);
 }
 

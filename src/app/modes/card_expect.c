@@ -1,6 +1,7 @@
 #include "app/modes/card_expect.h"
 
 #include "app/modes/card_state.h"
+#include "app/modes/card_words.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -92,6 +93,11 @@ static kg_status expect_content(const kg_editor *e, const char *w, kg_error *err
         return kg_expect_count("loose patches", stability->loose_count, w, error);
     if (kg_expect_begins(&w, "remarks"))
         return kg_expect_count("remarks", remarks->count, w, error);
+    if (kg_expect_begins(&w, "overhang"))
+        return kg_expect_count("cells that stick out",
+                               (size_t)kg_oa_overhang(kg_document_sheet(e->document)), w, error);
+    if (kg_expect_begins(&w, "margin"))
+        return kg_expect_count("cells of margin", (size_t)oa->margin_cells, w, error);
     if (kg_expect_begins(&w, "valid"))
         return kg_expect_yes(remarks->faults == 0, true, "valid", error);
     if (kg_expect_begins(&w, "invalid"))
@@ -121,6 +127,12 @@ kg_status kg_card_expect(const kg_editor *e, const char *w, kg_error *error) {
     }
     if (kg_expect_begins(&w, "chosen remark"))
         return kg_expect_count("remark", (size_t)(s->shown_remark + 1), w, error);
+    if (kg_expect_begins(&w, "verdict")) {
+        char text[96];
+        kg_severity severity;
+        kg_card_verdict(e, text, sizeof text, &severity);
+        return kg_expect_text("verdict", text, w, error);
+    }
     if (kg_expect_begins(&w, "degrees"))
         return kg_expect_count("degrees of freedom", (size_t)kg_card_degrees(e), w, error);
     return expect_content(e, w, error);

@@ -4,6 +4,7 @@
 #include "app/modes/card_net.h"
 #include "app/modes/card_scene.h"
 #include "app/modes/card_state.h"
+#include "app/modes/card_words.h"
 #include "app/modes/modes.h"
 #include "app/panels/card_panels.h"
 #include "app/panels/panels.h"
@@ -67,12 +68,14 @@ const kg_mode kg_card_mode = {
     .menu = {N_("Card"),
              "card.add card.remove card.pull card.window card.top - card.brush_add "
              "card.brush_remove card.brush_window card.brush_top - card.symmetry card.mirror_now "
-             "card.plane - card.fill_windows card.omit_thin card.diagonals - card.open "
-             "card.open_more card.open_less card.play - card.clear"},
+             "card.plane - card.fill_windows card.omit_thin card.diagonals "
+             "card.stabilize card.cover - card.open card.open_more card.open_less card.play - "
+             "card.clear"},
     .context = context_menu,
     .toolbar = toolbar,
     .side = side,
     .net_event = kg_card_net_event,
     .net_draw = kg_card_net_draw,
+    .verdict = kg_card_verdict,
     .expect = kg_card_expect,
 };

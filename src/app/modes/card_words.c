@@ -48,6 +48,23 @@ void kg_card_say_cursor(const kg_editor *e, char *out, size_t size) {
         add(out, size, ", %s", _("top left out"));
 }
 
+bool kg_card_verdict(const kg_editor *e, char *out, size_t size, kg_severity *out_severity) {
+    const kg_oa_remarks *remarks = kg_document_remarks(e->document);
+    size_t faults = remarks ? remarks->faults : 0, loose = 0;
+    for (size_t i = faults; remarks && i < remarks->count; i++)
+        loose += remarks->items[i].trouble == KG_OA_LOOSE;
+    if (faults > 0)
+        snprintf(out, size, _("Does not work: %zu faults"), faults);
+    else if (loose > 0)
+        snprintf(out, size, _("Works, but %zu patches are loose"), loose);
+    else if (remarks && remarks->count > 0)
+        snprintf(out, size, _("Works, with %zu warnings"), remarks->count);
+    else
+        snprintf(out, size, "%s", _("Works: one sheet that pops up"));
+    *out_severity = faults > 0 ? KG_FAULT : KG_WARNING;
+    return remarks && remarks->count > 0;
+}
+
 /* The remark shown, else the first fault; -1: none. */
 static int remark_to_say(const kg_editor *e) {
     const kg_oa_remarks *remarks = kg_document_remarks(e->document);

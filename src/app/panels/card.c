@@ -20,26 +20,17 @@ static const kg_color white = {1, 1, 1, 1};
 /* ---- does it work? ---------------------------------------------------------------------- */
 
 static void show_banner(const kg_editor *e) {
-    const kg_oa_remarks *remarks = kg_document_remarks(e->document);
-    size_t faults = remarks ? remarks->faults : 0, loose = 0;
-    for (size_t i = faults; remarks && i < remarks->count; i++)
-        loose += remarks->items[i].trouble == KG_OA_LOOSE;
+    static const kg_color green = {0.1F, 0.5F, 0.3F, 1}, red = {0.75F, 0.14F, 0.12F, 1},
+                          amber = {0.68F, 0.44F, 0.05F, 1};
     char text[96];
-    kg_color color = {0.1F, 0.5F, 0.3F, 1};
-    if (faults > 0) {
-        color = (kg_color){0.75F, 0.14F, 0.12F, 1};
-        snprintf(text, sizeof text, _("Does not work: %zu faults"), faults);
-    } else if (loose > 0) {
-        color = (kg_color){0.68F, 0.44F, 0.05F, 1};
-        snprintf(text, sizeof text, _("Works, but %zu patches are loose"), loose);
-    } else {
-        snprintf(text, sizeof text, "%s", _("Works: one sheet that pops up"));
-    }
+    kg_severity severity;
+    bool wrong = kg_card_verdict(e, text, sizeof text, &severity);
+    kg_color color = !wrong ? green : severity == KG_FAULT ? red : amber;
     kg_area a = kg_ui_canvas_area("validity", kg_ui_available(), BANNER);
     double s = e->pane.scale, side = a.height - 12 * s;
     kg_ui_canvas(KG_CANVAS_WINDOW);
     kg_ui_canvas_rect(a, color, 4 * s);
-    kg_icon_draw(faults + loose > 0 ? KG_ICON_WARNING : KG_ICON_CHECK,
+    kg_icon_draw(wrong ? KG_ICON_WARNING : KG_ICON_CHECK,
                  (kg_area){a.x + 6 * s, a.y + 6 * s, side, side}, white);
     kg_ui_canvas_text(kg_v2(a.x + (a.width + side) / 2, a.y + a.height / 2), white, text);
 }

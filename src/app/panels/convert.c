@@ -224,7 +224,14 @@ static bool fields(kg_oa_options *o) {
         changed;
     changed = whole(_("thin tops, cells"), &o->thin_top, 0, 20, 0.05) || changed;
     kg_ui_tooltip(_("Leaves out tops that are at most so deep; 0: none."));
-    return flag(_("45° folds"), &o->diagonals, _("Pyramids instead of steps where they fold.")) ||
+    changed =
+        flag(_("45° folds"), &o->diagonals, _("Pyramids instead of steps where they fold.")) ||
+        changed;
+    changed =
+        flag(_("make it stand"), &o->stable, _("Changes a few cells so that no patch is loose.")) ||
+        changed;
+    return flag(_("cover it when closed"), &o->covering,
+                _("As wide a margin as it takes that nothing sticks out of the closed card.")) ||
            changed;
 }
 

@@ -25,6 +25,7 @@ kg_creation kg_creation_default(void) {
     kg_oa_options conversion = kg_oa_options_default();
     conversion.cell_mm =
         kg_document_card_cell((int[]){conversion.width, conversion.depth, conversion.height});
+    conversion.covering = true;
     return (kg_creation){
         usual_cards[0],
         {usual_sheets[0], kg_color_from_rgb(KG_SHEET_FRONT), kg_color_from_rgb(KG_SHEET_BACK)},

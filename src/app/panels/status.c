@@ -1,4 +1,5 @@
 /* The status bar: what the tool expects, messages, what is wrong with the model. */
+#include "app/mode.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
@@ -55,23 +56,31 @@ static void show_count(kg_editor *e, kg_color color, const char *text) {
     kg_ui_tooltip(tip);
 }
 
+/* How many faults and warnings there are, of documents whose mode has no better word. */
+static bool count_issues(const kg_editor *e, char *out, size_t size, kg_severity *out_severity) {
+    size_t faults = 0, count = kg_document_issue_count(e->document);
+    for (size_t i = 0; i < count; i++)
+        faults += kg_document_issue(e->document, i)->severity == KG_FAULT;
+    if (faults > 0)
+        snprintf(out, size, _("Faults: %zu, warnings: %zu"), faults, count - faults);
+    else if (count > 0)
+        snprintf(out, size, _("Warnings: %zu"), count);
+    else
+        snprintf(out, size, "%s", _("No faults"));
+    *out_severity = faults > 0 ? KG_FAULT : KG_WARNING;
+    return count > 0;
+}
+
 void kg_panel_status(kg_app *app, kg_area area) {
     kg_editor *e = &app->editor;
     const struct shades *shade = &shades[e->settings.theme];
-    const kg_document *d = e->document;
-    size_t faults = 0, count = kg_document_issue_count(d);
-    for (size_t i = 0; i < count; i++)
-        faults += kg_document_issue(d, i)->severity == KG_FAULT;
     kg_ui_panel_begin("status", NULL, area, KG_PANEL_PLAIN | KG_PANEL_NO_SCROLL);
     const char *now = e->tool->hint_now ? e->tool->hint_now(e) : NULL;
     kg_ui_indent();
     char text[128], shown[KG_ERROR_SIZE];
-    if (faults > 0)
-        snprintf(text, sizeof text, _("Faults: %zu, warnings: %zu"), faults, count - faults);
-    else if (count > 0)
-        snprintf(text, sizeof text, _("Warnings: %zu"), count);
-    else
-        snprintf(text, sizeof text, "%s", _("No faults"));
+    kg_severity severity;
+    bool wrong =
+        (e->mode->verdict ? e->mode->verdict : count_issues)(e, text, sizeof text, &severity);
     double room = kg_ui_available() - kg_ui_text_width(text) - 24;
     if (e->message[0])
         kg_ui_text_color(e->severity == KG_FAULT ? shade->fault : shade->note,
@@ -79,8 +88,8 @@ void kg_panel_status(kg_app *app, kg_area area) {
     else
         kg_ui_text_dim(cut(now ? now : _(e->tool->hint), room, shown, sizeof shown));
     kg_ui_right(kg_ui_text_width(text) + 10);
-    if (count > 0)
-        show_count(e, faults > 0 ? shade->fault : shade->warning, text);
+    if (wrong)
+        show_count(e, severity == KG_FAULT ? shade->fault : shade->warning, text);
     else
         kg_ui_text_dim(text);
     kg_ui_panel_end();
