@@ -152,9 +152,17 @@ static kg_status next_gap(kg_editor *e, const json_t *a, kg_error *error) {
     return KG_OK;
 }
 
+static kg_status back(kg_editor *e, const json_t *a, kg_error *error) {
+    (void)a;
+    return kg_fold_back(e, error);
+}
+
 static bool is_given(const kg_editor *e) {
     const kg_fold_tool *t = kg_fold_tool_seen(e);
     return t && t->given;
+}
+static bool has_fold(const kg_editor *e) {
+    return kg_origami_step(kg_editor_origami(e)) > 0;
 }
 static bool has_layers(const kg_editor *e) {
     const kg_fold_tool *t = kg_fold_tool_seen(e);
@@ -181,6 +189,9 @@ static const kg_app_command items[] = {
     {"fold.next_gap", N_("Between other layers"),
      N_("Ends the fold between the next two layers, or outside."), "Shift+Page Down", NULL,
      next_gap, is_given, 0},
+    {"fold.back", N_("Unfold, keep the crease"),
+     N_("Folds the last fold back; its crease stays in the paper."), "U", NULL, back, has_fold,
+     KG_COMMAND_EDIT},
     {"fold.make", N_("Fold"), N_("Makes the fold that is shown."), NULL, NULL, make, is_given,
      KG_COMMAND_EDIT},
 };

@@ -90,6 +90,15 @@ static kg_status spread(kg_editor *e, const json_t *a, kg_error *error) {
     return KG_OK;
 }
 
+/* About the vertical of the screen: left and right change places, as with paper in hands. */
+static kg_status turn_over(kg_editor *e, const json_t *a, kg_error *error) {
+    (void)a, (void)error;
+    kg_camera *camera = &e->pane.camera;
+    camera->yaw += camera->yaw > 0 ? -KG_PI : KG_PI;
+    camera->pitch = -camera->pitch;
+    return KG_OK;
+}
+
 /* ---- what is done ------------------------------------------------------------------------ */
 
 /* "step": of the fold, from 1; without it the one that led to what is shown. Gives its index. */
@@ -170,6 +179,8 @@ static const kg_app_command items[] = {
     {"step.last", N_("Last step"), N_("Shows the sheets after all folds."),
      "Ctrl+Right|End|Ctrl+End", NULL, go_last, has_folds, 0},
     {"step.go", N_("Go to step"), "", NULL, NULL, go, NULL, KG_COMMAND_HIDDEN},
+    {"view.turn_over", N_("Turn over"), N_("Shows the other side of the paper."), "T", NULL,
+     turn_over, NULL, 0},
     {"step.xray", N_("X-ray"), N_("Makes paper see-through, or not any more."), "X", "Alt+Z", xray,
      NULL, 0},
     {"step.spread", N_("Spread layers"),

@@ -17,7 +17,8 @@ static bool tick(kg_editor *e, double seconds) {
 
 static const char *context_menu(const kg_editor *e) {
     (void)e;
-    return "step.play step.from_here fold.unfold - step.xray step.spread - sheet.add "
+    return "step.play step.from_here fold.unfold fold.back - view.turn_over step.xray step.spread "
+           "- sheet.add "
            "sheet.arrange sheet.duplicate sheet.remove - view.frame_all";
 }
 
@@ -66,8 +67,9 @@ const kg_mode kg_sheet_mode = {
     .drop = kg_sheet_scene_drop,
     .menu = {N_("Fold"),
              "fold.drag fold.axis fold.bisect fold.square fold.flip - fold.more_layers "
-             "fold.fewer_layers fold.next_gap fold.make - fold.unfold step.from_here - "
-             "step.play step.back step.forth step.first step.last - step.xray step.spread - "
+             "fold.fewer_layers fold.next_gap fold.make fold.back - fold.unfold step.from_here - "
+             "step.play step.back step.forth step.first step.last - view.turn_over step.xray "
+             "step.spread - "
              "sheet.add sheet.arrange sheet.duplicate sheet.remove sheet.raise sheet.lower"},
     .context = context_menu,
     .toolbar = toolbar,

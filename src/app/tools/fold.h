@@ -112,6 +112,9 @@ void kg_fold_set_gap(kg_editor *editor, size_t gap);
 kg_status kg_fold_add(kg_editor *editor, const kg_fold *fold, kg_error *error) KG_CHECKED;
 /* Makes the fold, with its animation; KG_ERR_INPUT when it is refused or there is none. */
 kg_status kg_fold_done(kg_editor *editor, kg_error *error) KG_CHECKED;
+/* Folds what the last fold folded back where it was, as one step of the history: its crease stays.
+ * KG_ERR_INPUT when other paper is in the way, or there is none. */
+kg_status kg_fold_back(kg_editor *editor, kg_error *error) KG_CHECKED;
 /* Why the fold being made is refused, translated. */
 void kg_fold_reason(const kg_fold_tool *tool, char *out, size_t size);
 
