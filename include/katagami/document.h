@@ -36,6 +36,10 @@ typedef struct kg_document kg_document;
  * cannot be folded flat, or could not be in time. */
 KG_API kg_status kg_document_read(const char *path, kg_document **out_document,
                                   kg_error *error) KG_CHECKED;
+/* The same; `progress` (may be NULL) is told while the layers of a pattern are looked for, which
+ * takes longest, and may end that: KG_ERR_CANCELLED. */
+KG_API kg_status kg_document_read_reporting(const char *path, const kg_progress *progress,
+                                            kg_document **out_document, kg_error *error) KG_CHECKED;
 
 /* The same from memory, a model file of any mode; `name` is what messages call it, `path` (may be
  * NULL) where the file lies or will lie. `data` is zero-terminated behind `size`. */

@@ -293,17 +293,20 @@ KG_API kg_layer_report kg_layer_report_default(void);
  * the order of its layers, unless the file holds it. The first state is the folded one; folds may
  * follow. Errors: KG_ERR_PARSE naming file and line; KG_ERR_INPUT when it cannot be folded flat:
  * the vertex that breaks Kawasaki's or Maekawa's condition, or that no order of layers is possible,
- * which is proved; KG_ERR_CANCELLED when most_steps did not suffice. `report` may be NULL. */
-KG_API kg_status kg_origami_import(const char *path, kg_origami **out_origami,
-                                   kg_layer_report *report, kg_error *error) KG_CHECKED;
+ * which is proved; KG_ERR_CANCELLED when most_steps did not suffice, or when `progress`, which is
+ * told while layers are looked for, said so: the report is then as it was. `progress` and `report`
+ * may be NULL. */
+KG_API kg_status kg_origami_import(const char *path, const kg_progress *progress,
+                                   kg_origami **out_origami, kg_layer_report *report,
+                                   kg_error *error) KG_CHECKED;
 KG_API kg_status kg_origami_import_memory(const char *data, size_t size, const char *name,
-                                          kg_origami **out_origami, kg_layer_report *report,
-                                          kg_error *error) KG_CHECKED;
+                                          const kg_progress *progress, kg_origami **out_origami,
+                                          kg_layer_report *report, kg_error *error) KG_CHECKED;
 
 /* Counts the orders that the layers of the first state could have, whatever the one they have.
  * Errors as of kg_origami_import. */
-KG_API kg_status kg_origami_count_orders(const kg_origami *origami, kg_layer_report *report,
-                                         kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_count_orders(const kg_origami *origami, const kg_progress *progress,
+                                         kg_layer_report *report, kg_error *error) KG_CHECKED;
 
 /* Writes NAME.fold: the crease pattern as first frame, the folded state of `step` with its
  * faceOrders as second, and, when `all_steps`, a frame for every step before it; or NAME.cp: the

@@ -2,6 +2,7 @@
 
 #include "app/settings.h"
 #include "app/task.h"
+#include "base/file.h"
 #include "base/progress.h"
 
 #include <stdlib.h>
@@ -21,15 +22,19 @@ struct kg_load_job {
 };
 
 /* Where the steps of reading a document begin, as shares of the whole: a reference is mostly larger
- * than the model that has it. */
-static const double begins[] = {
-    [KG_LOAD_READING] = 0, [KG_LOAD_SOLVING] = 0.2, [KG_LOAD_REFERENCE] = 0.4};
+ * than the model that has it, and the layers of a crease pattern take longest. */
+static double begins(const kg_load_job *j, kg_load_step step) {
+    static const double shares[2][KG_LOAD_STEP_COUNT] = {{0, 0.2, 0.4}, {0, 0.9, 0.95}};
+    bool pattern =
+        j->path && (kg_file_ends_in(j->path, ".fold") || kg_file_ends_in(j->path, ".cp"));
+    return shares[pattern][step];
+}
 
 /* Goes on to the next step unless the job was given up. */
 static kg_status begin(kg_load_job *j, kg_load_step step) {
     kg_progress progress = kg_task_progress(&j->task);
     atomic_store(&j->step, step);
-    return kg_progress_tell(&progress, begins[step], "", &j->error);
+    return kg_progress_tell(&progress, begins(j, step), "", &j->error);
 }
 
 /* `from`: how much of the whole is done before. */
@@ -41,14 +46,17 @@ static kg_status load_reference(kg_load_job *j, double from, kg_error *error) {
 }
 
 static kg_status load_document(kg_load_job *j) {
-    kg_status status = kg_document_read(j->path, &j->document, &j->error);
+    kg_progress whole = kg_task_progress(&j->task);
+    kg_progress_share share = {&whole, 0, begins(j, KG_LOAD_SOLVING)};
+    kg_progress progress = kg_progress_of_share(&share);
+    kg_status status = kg_document_read_reporting(j->path, &progress, &j->document, &j->error);
     if (!status)
         status = begin(j, KG_LOAD_SOLVING);
     if (!status)
         status = kg_document_solve(j->document, j->chord, &j->error);
     if (!status)
         status = begin(j, KG_LOAD_REFERENCE);
-    if (!status && load_reference(j, begins[KG_LOAD_REFERENCE], &j->reference_error) == KG_OK)
+    if (!status && load_reference(j, begins(j, KG_LOAD_REFERENCE), &j->reference_error) == KG_OK)
         j->reference_error.message[0] = '\0';
     return status;
 }

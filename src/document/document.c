@@ -59,10 +59,11 @@ kg_status kg_document_from_origami(kg_origami *origami, const char *path,
     return KG_OK;
 }
 
-static kg_status read_pattern(const char *path, kg_document **out_document, kg_error *error) {
+static kg_status read_pattern(const char *path, const kg_progress *progress,
+                              kg_document **out_document, kg_error *error) {
     kg_origami *origami;
     kg_layer_report report = kg_layer_report_default();
-    kg_status status = kg_origami_import(path, &origami, &report, error);
+    kg_status status = kg_origami_import(path, progress, &origami, &report, error);
     if (!status)
         status = kg_document_from_origami(origami, path, out_document, error);
     if (!status) {
@@ -104,11 +105,16 @@ kg_status kg_document_read_memory(const char *data, size_t size, const char *nam
 }
 
 kg_status kg_document_read(const char *path, kg_document **out_document, kg_error *error) {
+    return kg_document_read_reporting(path, NULL, out_document, error);
+}
+
+kg_status kg_document_read_reporting(const char *path, const kg_progress *progress,
+                                     kg_document **out_document, kg_error *error) {
     const char *name = strcmp(path, "-") ? path : "standard input";
     char *data;
     size_t size;
     if (kg_file_ends_in(path, ".fold") || kg_file_ends_in(path, ".cp"))
-        return read_pattern(path, out_document, error);
+        return read_pattern(path, progress, out_document, error);
     kg_status status = kg_file_read(path, &data, &size, error);
     if (status)
         return status;

@@ -1,5 +1,6 @@
 #include "origami/condition.h"
 
+#include "base/progress.h"
 #include "origami/convex.h"
 
 #include <stdlib.h>
@@ -168,7 +169,8 @@ static kg_status find_along(finder *f, int32_t edge) {
     return status;
 }
 
-kg_status kg_conditions_find(const kg_origami_state *s, const kg_outlines *o, kg_conditions *out) {
+kg_status kg_conditions_find(const kg_origami_state *s, const kg_outlines *o,
+                             const kg_progress *progress, kg_conditions *out, kg_error *error) {
     kg_conditions conditions = {0};
     finder f = {.state = s,
                 .outlines = o,
@@ -181,7 +183,9 @@ kg_status kg_conditions_find(const kg_origami_state *s, const kg_outlines *o, kg
     for (size_t e = 0; e < s->edges.count && !status; e++) {
         if (!f.creases[e].valid)
             continue;
-        status = find_through(&f, (int32_t)e);
+        status = kg_progress_tell(progress, (double)e / (double)s->edges.count, "layers", error);
+        if (!status)
+            status = find_through(&f, (int32_t)e);
         if (!status)
             status = find_along(&f, (int32_t)e);
     }

@@ -35,9 +35,9 @@ typedef struct kg_conditions {
 } kg_conditions;
 
 /* All conditions at the edges of one state, between loops of one group. Orders need not be right;
- * only which pairs there are counts. */
+ * only which pairs there are counts. KG_ERR_CANCELLED, KG_ERR_MEMORY. */
 kg_status kg_conditions_find(const kg_origami_state *state, const kg_outlines *outlines,
-                             kg_conditions *out);
+                             const kg_progress *progress, kg_conditions *out, kg_error *error);
 
 /* KG_ERR_INPUT with a condition that the orders do not meet. Of a row of bits of loops, `moved`,
  * only the orders between those and others are looked at; NULL: all of them. */

@@ -216,7 +216,7 @@ static kg_status read_model(kg_reader *p, kg_origami *o) {
     if (!status && pattern) {
         kg_layer_report report = kg_layer_report_default();
         kg_read_enter(p, "pattern", 0);
-        status = kg_fold_read(p, pattern, &report, &s);
+        status = kg_fold_read(p, pattern, NULL, &report, &s);
         o->pattern = true;
         kg_read_leave(p);
     } else if (!status) {
@@ -246,20 +246,20 @@ kg_status kg_origami_read_memory(const char *data, size_t size, const char *name
 /* ---- crease patterns -------------------------------------------------------------------- */
 
 static kg_status import_state(const char *data, size_t size, const char *name,
-                              kg_layer_report *report, kg_origami_state **out_state, char **title,
-                              kg_error *error) {
+                              const kg_progress *progress, kg_layer_report *report,
+                              kg_origami_state **out_state, char **title, kg_error *error) {
     kg_status status;
     if (kg_file_ends_in(name, ".cp")) {
         kg_pattern pattern;
         if ((status = kg_cp_read(data, size, name, &pattern, error)))
             return status;
-        status = kg_pattern_solve(&pattern, report, out_state, error);
+        status = kg_pattern_solve(&pattern, progress, report, out_state, error);
         kg_pattern_clear(&pattern);
     } else {
         kg_reader p;
         if ((status = kg_read_begin(&p, data, size, name, error)))
             return status;
-        status = kg_fold_read(&p, p.root, report, out_state);
+        status = kg_fold_read(&p, p.root, progress, report, out_state);
         const char *given = json_string_value(json_object_get(p.root, "file_title"));
         char *copy = !status && given ? strdup(given) : NULL;
         if (copy) {
@@ -276,15 +276,15 @@ static kg_status import_state(const char *data, size_t size, const char *name,
 }
 
 kg_status kg_origami_import_memory(const char *data, size_t size, const char *name,
-                                   kg_origami **out_origami, kg_layer_report *report,
-                                   kg_error *error) {
+                                   const kg_progress *progress, kg_origami **out_origami,
+                                   kg_layer_report *report, kg_error *error) {
     kg_layer_report plain = kg_layer_report_default();
     kg_origami_state *s;
     kg_origami *o = kg_origami_create();
     if (!o)
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", name);
     kg_status status =
-        import_state(data, size, name, report ? report : &plain, &s, &o->title, error);
+        import_state(data, size, name, progress, report ? report : &plain, &s, &o->title, error);
     if (status) {
         kg_origami_destroy(o);
         return status;
@@ -309,14 +309,14 @@ kg_status kg_origami_read(const char *path, kg_origami **out_origami, kg_error *
     return status;
 }
 
-kg_status kg_origami_import(const char *path, kg_origami **out_origami, kg_layer_report *report,
-                            kg_error *error) {
+kg_status kg_origami_import(const char *path, const kg_progress *progress, kg_origami **out_origami,
+                            kg_layer_report *report, kg_error *error) {
     char *data;
     size_t size;
     kg_status status = kg_file_read(path, &data, &size, error);
     if (status)
         return status;
-    status = kg_origami_import_memory(data, size, path, out_origami, report, error);
+    status = kg_origami_import_memory(data, size, path, progress, out_origami, report, error);
     free(data);
     return status;
 }

@@ -222,15 +222,15 @@ static kg_status take_orders(kg_reader *p, const json_t *list, const kg_pattern 
 /* ---- all -------------------------------------------------------------------------------- */
 
 static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded,
-                            kg_pattern *pattern, kg_layer_report *report,
-                            kg_origami_state **out_state) {
+                            kg_pattern *pattern, const kg_progress *progress,
+                            kg_layer_report *report, kg_origami_state **out_state) {
     size_t base = p->depth;
     kg_status status = read_pattern(p, flat, base, pattern);
     p->depth = base;
     if (!status && pattern->faces.starts.count == 0 && !folded)
         status = kg_pattern_clean(pattern, p->error);
     if (!status && !folded)
-        return kg_pattern_solve(pattern, report, out_state, p->error);
+        return kg_pattern_solve(pattern, progress, report, out_state, p->error);
     kg_origami_state *s = NULL;
     bool complete = false;
     if (!status)
@@ -245,7 +245,7 @@ static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded
     }
     p->depth = base;
     if (!status && !complete)
-        status = kg_state_solve(s, report, p->error);
+        status = kg_state_solve(s, progress, report, p->error);
     if (status)
         kg_state_destroy(s);
     else
@@ -253,8 +253,8 @@ static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded
     return status;
 }
 
-kg_status kg_fold_read(kg_reader *p, const json_t *root, kg_layer_report *report,
-                       kg_origami_state **out_state) {
+kg_status kg_fold_read(kg_reader *p, const json_t *root, const kg_progress *progress,
+                       kg_layer_report *report, kg_origami_state **out_state) {
     size_t frames = 1 + json_array_size(json_object_get(root, "file_frames")), base = p->depth;
     frame flat = {0}, folded = {0};
     for (size_t i = 0; i < frames; i++) {
@@ -271,21 +271,21 @@ kg_status kg_fold_read(kg_reader *p, const json_t *root, kg_layer_report *report
                                "vertices_coords that is no foldedForm");
     kg_pattern pattern = {0};
     kg_status status =
-        read_state(p, &flat, folded.own ? &folded : NULL, &pattern, report, out_state);
+        read_state(p, &flat, folded.own ? &folded : NULL, &pattern, progress, report, out_state);
     p->depth = base;
     kg_pattern_clear(&pattern);
     return status;
 }
 
-kg_status kg_pattern_solve(kg_pattern *pattern, kg_layer_report *report,
-                           kg_origami_state **out_state, kg_error *error) {
+kg_status kg_pattern_solve(kg_pattern *pattern, const kg_progress *progress,
+                           kg_layer_report *report, kg_origami_state **out_state, kg_error *error) {
     kg_origami_state *s;
     kg_status status = kg_pattern_state(pattern, &s, error);
     if (status)
         return status;
     status = kg_pattern_fold(s, error);
     if (!status)
-        status = kg_state_solve(s, report, error);
+        status = kg_state_solve(s, progress, report, error);
     if (status) {
         kg_state_destroy(s);
         return status;

@@ -326,9 +326,10 @@ void kg_origami_between(const kg_origami *o, size_t step, double fraction, kg_ve
     }
 }
 
-kg_status kg_origami_count_orders(const kg_origami *o, kg_layer_report *report, kg_error *error) {
+kg_status kg_origami_count_orders(const kg_origami *o, const kg_progress *progress,
+                                  kg_layer_report *report, kg_error *error) {
     kg_origami_state *s = kg_state_copy(o->states.items[0]);
-    kg_status status = s ? kg_state_solve(s, report, error) : KG_ERR_MEMORY;
+    kg_status status = s ? kg_state_solve(s, progress, report, error) : KG_ERR_MEMORY;
     kg_state_destroy(s);
     return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
 }

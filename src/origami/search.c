@@ -1,6 +1,7 @@
 #include "origami/search.h"
 
 #include "base/array.h"
+#include "base/progress.h"
 
 #include <float.h>
 #include <stdlib.h>
@@ -74,7 +75,10 @@ typedef struct search {
         tally *items;
         size_t count, capacity;
     } tallies;
-    double steps; /* clauses looked at */
+    double steps;            /* clauses looked at */
+    double told;             /* of them, when `progress` was last told */
+    kg_progress_share share; /* of what is being done */
+    kg_error *error;
     /* while parts are found */
     int32_t *roots;   /* of each bit, an earlier one of its part */
     int32_t *numbers; /* of roots, the part's; -1: none yet */
@@ -324,6 +328,22 @@ static size_t split(search *s, const part *whole) {
     return bits;
 }
 
+/* ---- telling how far it is ---------------------------------------------------------------- */
+
+/* Steps between two calls: about a millisecond. */
+#define STEPS_OF_A_CALL 65536
+
+/* How far the steps of one part have come nobody knows: each that is told of goes a hundredth of
+ * the way that is left of the part's share. */
+static kg_status tell(search *s, double *fraction) {
+    if (s->steps - s->told < STEPS_OF_A_CALL)
+        return KG_OK;
+    s->told = s->steps;
+    *fraction += (1 - *fraction) / 100;
+    kg_progress progress = kg_progress_of_share(&s->share);
+    return kg_progress_tell(&progress, *fraction, "layers", s->error);
+}
+
 /* ---- counting --------------------------------------------------------------------------- */
 
 static bool open_part(search *s, const part *p, double limit, bool first) {
@@ -361,9 +381,13 @@ static void add_ways(search *s, tally *c) {
  * steps are over before there is any, `*out_ways` is 0 and `*out_more` true. */
 static kg_status count_ways(search *s, const part *whole, double limit, double most_steps,
                             bool first, double *out_ways, bool *out_more) {
+    double fraction = 0;
     if (!open_part(s, whole, limit, first))
         return KG_ERR_MEMORY;
     while (s->tallies.count > 0) {
+        kg_status status = tell(s, &fraction);
+        if (status)
+            return status;
         tally *c = &s->tallies.items[s->tallies.count - 1];
         if (c->next < c->end && c->product > 0) {
             const part *p = &s->parts[c->next];
@@ -409,17 +433,22 @@ static kg_status count_ways(search *s, const part *whole, double limit, double m
 /* First a way of every component, then how many there are. */
 static kg_status search_parts(search *s, const part *components, size_t count, size_t trail,
                               kg_layer_report *r) {
-    double ways;
+    double ways, each = 0.5 / (double)(count + 1);
     bool more;
     for (size_t i = 0; i < count; i++) {
+        s->share.from = (double)i * each, s->share.to = s->share.from + each;
         kg_status status = count_ways(s, &components[i], 1, r->most_steps, true, &ways, &more);
         if (status)
             return status;
         if (ways == 0)
-            return more ? KG_ERR_CANCELLED : KG_ERR_INPUT;
+            return more ? kg_fail(s->error, KG_ERR_CANCELLED,
+                                  "the order of layers was neither found nor excluded in %g steps",
+                                  r->most_steps)
+                        : KG_ERR_INPUT;
     }
     r->states = 1;
     for (size_t i = 0; i < count; i++) {
+        s->share.from = 0.5 + (double)i * each, s->share.to = s->share.from + each;
         kg_status status =
             count_ways(s, &components[i], r->most_states, r->most_steps, false, &ways, &more);
         if (status)
@@ -464,11 +493,13 @@ static kg_status search_all(search *s, const int32_t *links, size_t bits, size_t
 }
 
 kg_status kg_search(kg_clauses *clauses, const int32_t *links, size_t bits, signed char *values,
-                    kg_layer_report *report) {
+                    const kg_progress *progress, kg_layer_report *report, kg_error *error) {
     tidy(clauses);
     size_t n = bits + 1, m = clauses->count + 1;
     search s = {.clauses = clauses->items,
                 .values = values,
+                .share = {progress, 0, 1},
+                .error = error,
                 .trail = malloc(n * sizeof *s.trail),
                 .members = malloc(n * sizeof *s.members),
                 .places = malloc(m * sizeof *s.places),

@@ -17,8 +17,10 @@ typedef struct kg_clauses {
 
 /* `links` as in relation.h: only roots are bits of their own, and clauses hold nothing else.
  * `values` 1 or -1 for bits that are given, 0 for free ones: filled in with the first way found.
- * Clauses are sorted. KG_ERR_INPUT: no way; KG_ERR_CANCELLED: report->most_steps are over. */
+ * Clauses are sorted. KG_ERR_INPUT: no way; KG_ERR_CANCELLED, with a message: report->most_steps
+ * are over, or `progress` was told enough. */
 kg_status kg_search(kg_clauses *clauses, const int32_t *links, size_t bit_count,
-                    signed char *values, kg_layer_report *report);
+                    signed char *values, const kg_progress *progress, kg_layer_report *report,
+                    kg_error *error);
 
 #endif

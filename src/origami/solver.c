@@ -8,6 +8,7 @@
 #include "origami/solver.h"
 
 #include "base/array.h"
+#include "base/progress.h"
 #include "origami/condition.h"
 #include "origami/convex.h"
 #include "origami/overlap.h"
@@ -30,8 +31,16 @@ typedef struct solver {
     size_t *starts; /* of loops, the first pair with a or more */
     int32_t *links; /* of pairs, see relation.h */
     kg_clauses clauses;
+    const kg_progress *progress;
     kg_error *error;
 } solver;
+
+/* Where the steps end, as shares of the whole. */
+#define CONDITIONS_FOUND 0.1
+#define TRIPLES_FOUND 0.5
+
+/* Pairs between two calls. */
+#define PAIRS_OF_A_CALL 64
 
 /* ---- bits ------------------------------------------------------------------------------- */
 
@@ -75,7 +84,9 @@ static kg_status find_pairs(solver *v) {
 
 static kg_status add_conditions(solver *v) {
     kg_conditions found = {0};
-    kg_status status = kg_conditions_find(v->state, &v->outlines, &found);
+    kg_progress_share share = {v->progress, 0, CONDITIONS_FOUND};
+    kg_progress progress = kg_progress_of_share(&share);
+    kg_status status = kg_conditions_find(v->state, &v->outlines, &progress, &found, v->error);
     for (size_t i = 0; i < found.count && !status; i++) {
         const kg_condition *c = &found.items[i];
         bool changed;
@@ -134,8 +145,15 @@ static kg_status add_triples(solver *v) {
     }
     kg_vec2 *scratch = malloc((4 * most + 4) * sizeof *scratch);
     kg_status status = scratch ? KG_OK : KG_ERR_MEMORY;
-    for (size_t pair = 0; pair < v->pairs.count && !status; pair++)
-        status = add_triples_of(v, pair, scratch);
+    kg_progress_share share = {v->progress, CONDITIONS_FOUND, TRIPLES_FOUND};
+    kg_progress progress = kg_progress_of_share(&share);
+    for (size_t pair = 0; pair < v->pairs.count && !status; pair++) {
+        if (pair % PAIRS_OF_A_CALL == 0)
+            status = kg_progress_tell(&progress, (double)pair / (double)v->pairs.count, "layers",
+                                      v->error);
+        if (!status)
+            status = add_triples_of(v, pair, scratch);
+    }
     free(scratch);
     return status;
 }
@@ -180,8 +198,11 @@ static kg_status simplify_clause(solver *v, kg_clause *c, bool *keep, bool *chan
 static kg_status simplify(solver *v) {
     bool changed = true;
     while (changed) {
-        changed = false;
         size_t kept = 0;
+        kg_status told = kg_progress_tell(v->progress, TRIPLES_FOUND, "layers", v->error);
+        if (told)
+            return told;
+        changed = false;
         for (size_t i = 0; i < v->clauses.count; i++) {
             bool keep;
             kg_status status = simplify_clause(v, &v->clauses.items[i], &keep, &changed);
@@ -246,28 +267,28 @@ static kg_status search(solver *v, kg_layer_report *report) {
     signed char *values = calloc(pairs + 1, 1);
     if (!values)
         return KG_ERR_MEMORY;
+    kg_progress_share share = {v->progress, TRIPLES_FOUND, 1};
+    kg_progress progress = kg_progress_of_share(&share);
     kg_status status = fix_creases(v, values);
     report->pairs = pairs;
     report->variables = 0;
     for (size_t i = 0; i < pairs; i++)
         report->variables += v->links[i] == (int32_t)(2 * i);
     if (!status)
-        status = kg_search(&v->clauses, v->links, pairs, values, report);
+        status = kg_search(&v->clauses, v->links, pairs, values, &progress, report, v->error);
     if (status == KG_ERR_INPUT && report->states == 0)
         status = contradiction(v);
-    else if (status == KG_ERR_CANCELLED)
-        status = kg_fail(v->error, status,
-                         "the order of layers was neither found nor excluded in %g steps",
-                         report->most_steps);
     if (!status)
         take_values(v, values);
     free(values);
     return status;
 }
 
-kg_status kg_state_solve(kg_origami_state *state, kg_layer_report *report, kg_error *error) {
-    solver v = {.state = state, .error = error};
-    report->states = 0;
+kg_status kg_state_solve(kg_origami_state *state, const kg_progress *progress,
+                         kg_layer_report *report, kg_error *error) {
+    solver v = {.state = state, .progress = progress, .error = error};
+    kg_layer_report found = *report;
+    found.states = 0;
     kg_status status = kg_outlines_create(state, &v.outlines);
     if (!status)
         status = find_pairs(&v);
@@ -278,7 +299,9 @@ kg_status kg_state_solve(kg_origami_state *state, kg_layer_report *report, kg_er
     if (!status)
         status = simplify(&v);
     if (!status)
-        status = search(&v, report);
+        status = search(&v, &found);
+    if (status != KG_ERR_CANCELLED)
+        *report = found;
     kg_outlines_clear(&v.outlines);
     free(v.pairs.items);
     free(v.starts);

@@ -5,16 +5,17 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { VERTICES = 9000, MOST_STEPS = 200 };
+enum { VERTICES = 9000, PLEATS = 30, MOST_STEPS = 200 };
 
 static char folder[] = "/tmp/katagami-load-XXXXXX";
-static char mesh_path[64], model_path[64];
+static char mesh_path[64], model_path[64], pattern_path[64];
 
 static int write_files(void **state) {
     (void)state;
     assert_non_null(mkdtemp(folder));
     snprintf(mesh_path, sizeof mesh_path, "%s/strip.obj", folder);
     snprintf(model_path, sizeof model_path, "%s/m.katagami", folder);
+    snprintf(pattern_path, sizeof pattern_path, "%s/pleats.cp", folder);
     FILE *f = fopen(mesh_path, "w");
     assert_non_null(f);
     for (int i = 0; i < VERTICES; i++)
@@ -28,6 +29,12 @@ static int write_files(void **state) {
                "[-9, 9], \"points\": [[0,-40,0],[0,-20,30],[0,20,30],[0,40,0]]}], "
                "\"reference\": {\"file\": \"strip.obj\"}}");
     assert_int_equal(fclose(f), 0);
+    f = fopen(pattern_path, "w");
+    assert_non_null(f);
+    for (int i = 0; i <= PLEATS; i++) /* mountains and valleys in turn, ends are borders */
+        fprintf(f, "%d %d 0 %d 9\n", i % PLEATS == 0 ? 1 : 2 + i % 2, i, i);
+    fprintf(f, "1 0 0 %d 0\n1 0 9 %d 9\n", PLEATS, PLEATS);
+    assert_int_equal(fclose(f), 0);
     return 0;
 }
 
@@ -35,6 +42,7 @@ static int remove_files(void **state) {
     (void)state;
     unlink(mesh_path);
     unlink(model_path);
+    unlink(pattern_path);
     return rmdir(folder);
 }
 
@@ -45,14 +53,14 @@ typedef struct result {
 } result;
 
 /* Goes `most` steps at the utmost, then gives the job up if it is not done; how many it went. */
-static int run(int most, kg_status wanted, result *r) {
+static int run(const char *path, int most, kg_status wanted, result *r) {
     kg_gate gate;
     kg_load_job *job;
     double before = 0;
     int steps = 0, moves = 0;
     kg_gate_init(&gate);
     kg_gate_set_closed(&gate, true);
-    assert_int_equal(kg_load_job_document(model_path, 0.5, &gate, &job, &r->error), KG_OK);
+    assert_int_equal(kg_load_job_document(path, 0.5, &gate, &job, &r->error), KG_OK);
     for (; steps < most && !kg_load_job_is_done(job); steps++) {
         kg_gate_step(&gate);
         double now = kg_load_job_fraction(job);
@@ -73,7 +81,7 @@ static int run(int most, kg_status wanted, result *r) {
 static void a_model_and_its_reference_come_whole_or_not_at_all(void **state) {
     (void)state;
     result whole = {0};
-    int steps = run(MOST_STEPS, KG_OK, &whole);
+    int steps = run(model_path, MOST_STEPS, KG_OK, &whole);
     assert_in_range(steps, 8, MOST_STEPS - 1);
     assert_non_null(whole.document);
     assert_int_equal(whole.backdrop.mesh->vertex_count, VERTICES);
@@ -82,15 +90,31 @@ static void a_model_and_its_reference_come_whole_or_not_at_all(void **state) {
     kg_document_destroy(whole.document);
     for (int n = 0; n < steps; n++) {
         result given_up = {0};
-        assert_int_equal(run(n, KG_ERR_CANCELLED, &given_up), n);
+        assert_int_equal(run(model_path, n, KG_ERR_CANCELLED, &given_up), n);
         assert_null(given_up.document);
         assert_null(given_up.backdrop.mesh);
+    }
+}
+
+static void a_pattern_is_given_up_while_its_layers_are_looked_for(void **state) {
+    (void)state;
+    result whole = {0};
+    int steps = run(pattern_path, MOST_STEPS, KG_OK, &whole);
+    assert_in_range(steps, 30, MOST_STEPS - 1);
+    const kg_origami *o = kg_document_origami(whole.document);
+    assert_int_equal(kg_origami_pair_count(kg_origami_state_at(o, 0)), PLEATS * (PLEATS - 1) / 2);
+    kg_document_destroy(whole.document);
+    for (int n = 0; n < steps; n++) {
+        result given_up = {0};
+        assert_int_equal(run(pattern_path, n, KG_ERR_CANCELLED, &given_up), n);
+        assert_null(given_up.document);
     }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_model_and_its_reference_come_whole_or_not_at_all),
+        cmocka_unit_test(a_pattern_is_given_up_while_its_layers_are_looked_for),
     };
     return cmocka_run_group_tests(tests, write_files, remove_files);
 }

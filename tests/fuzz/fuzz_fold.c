@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     report.most_steps = 1e4;
     report.most_states = 100;
     kg_status status =
-        kg_origami_import_memory((const char *)data, size, FUZZ_NAME, &origami, &report, &error);
+        kg_origami_import_memory((const char *)data, size, FUZZ_NAME, NULL, &origami, &report, &error);
     if (status) {
         assert(!origami);
         assert(strncmp(error.message, FUZZ_NAME, strlen(FUZZ_NAME)) == 0);

@@ -126,7 +126,8 @@ static void test_colours_of_a_pattern_are_saved(void **user) {
     (void)user;
     static const char cp[] = "1 0 0 10 0\n1 10 0 10 10\n1 10 10 0 10\n1 0 10 0 0\n3 0 0 10 10\n";
     kg_origami *o, *again;
-    assert_int_equal(kg_origami_import_memory(cp, sizeof cp - 1, "x.cp", &o, NULL, NULL), KG_OK);
+    assert_int_equal(kg_origami_import_memory(cp, sizeof cp - 1, "x.cp", NULL, &o, NULL, NULL),
+                     KG_OK);
     kg_origami *copy = kg_origami_copy(o);
     assert_int_equal(kg_origami_set_colours(o, 0, 0x00ff00, 0x0000ff, NULL), KG_OK);
     assert_false(kg_origami_equal(o, copy));

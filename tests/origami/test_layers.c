@@ -10,7 +10,7 @@
 static kg_status import(const char *text, const char *name, kg_origami **out,
                         kg_layer_report *report, kg_error *error) {
     *report = kg_layer_report_default();
-    return kg_origami_import_memory(text, strlen(text), name, out, report, error);
+    return kg_origami_import_memory(text, strlen(text), name, NULL, out, report, error);
 }
 
 /* ---- brute force ------------------------------------------------------------------------ */
@@ -111,7 +111,7 @@ static void test_counts_equal_brute_force(void **user) {
         if (import(text, "random.fold", &o, &report, &error))
             fail_msg("seed %d: %s", (int)seed, error.message);
         kg_origami_state *s = kg_state_copy(last(o)); /* without layers */
-        assert_int_equal(kg_state_solve(s, &report, &error), KG_OK);
+        assert_int_equal(kg_state_solve(s, NULL, &report, &error), KG_OK);
         size_t pairs = kg_origami_pair_count(s);
         for (size_t e = 0; e <= s->edges.count && pairs > 1 && pairs <= 9; e++) {
             kg_paper_edge was = {0};
@@ -265,7 +265,7 @@ static void test_every_pair_that_overlaps_counts(void **user) {
     if (import(text, "pairs.fold", &o, &report, &error))
         fail_msg("%s", error.message);
     kg_origami_state *s = kg_state_copy(last(o)); /* without layers */
-    assert_int_equal(kg_state_solve(s, &report, &error), KG_OK);
+    assert_int_equal(kg_state_solve(s, NULL, &report, &error), KG_OK);
     assert_int_equal(kg_origami_pair_count(s), 11);
     assert_near(report.states, 2, 0);
     assert_int_equal(count_by_force(s), 2);
@@ -297,14 +297,14 @@ static void test_paper_opens_along_a_slit(void **user) {
     char *text;
     size_t size;
     if (kg_origami_fold_text(o, 0, false, &text, &size, &error) ||
-        kg_origami_import_memory(text, size, "again.fold", &again, NULL, &error))
+        kg_origami_import_memory(text, size, "again.fold", NULL, &again, NULL, &error))
         fail_msg("%s", error.message);
     assert_int_equal(last(again)->vertices.count, 9);
     assert_sound(last(again), 1e-6);
     kg_origami_destroy(again);
     /* without the folded form, too */
     memcpy(strstr(text, "\"file_frames\""), "\"some_frames\"", 13);
-    if (kg_origami_import_memory(text, size, "again.fold", &again, NULL, &error))
+    if (kg_origami_import_memory(text, size, "again.fold", NULL, &again, NULL, &error))
         fail_msg("%s", error.message);
     assert_true(same_state(s, last(again)));
     kg_origami_destroy(again);
@@ -364,11 +364,12 @@ static void test_search_ends_when_its_steps_are_over(void **user) {
     kg_layer_report report = kg_layer_report_default();
     kg_error error;
     report.most_steps = 1;
-    assert_int_equal(kg_origami_import_memory(strip, strlen(strip), "s.fold", &o, &report, &error),
-                     KG_ERR_CANCELLED);
+    assert_int_equal(
+        kg_origami_import_memory(strip, strlen(strip), "s.fold", NULL, &o, &report, &error),
+        KG_ERR_CANCELLED);
     report = kg_layer_report_default();
     report.most_states = 2;
-    if (kg_origami_import_memory(strip, strlen(strip), "s.fold", &o, &report, &error))
+    if (kg_origami_import_memory(strip, strlen(strip), "s.fold", NULL, &o, &report, &error))
         fail_msg("%s", error.message);
     assert_false(report.exact);
     assert_in_range((int)report.states, 2, 16);

@@ -19,7 +19,7 @@ static void check_sample(const char *sample) {
     kg_origami *o;
     kg_error error = {0};
     snprintf(path, sizeof path, "%s/%s", KG_SAMPLES, sample);
-    kg_status status = strstr(sample, ".fold") ? kg_origami_import(path, &o, NULL, &error)
+    kg_status status = strstr(sample, ".fold") ? kg_origami_import(path, NULL, &o, NULL, &error)
                                                : kg_origami_read(path, &o, &error);
     if (status)
         fail_msg("%s", error.message);

@@ -69,7 +69,7 @@ static bool is_met(const kg_origami_state *s, const kg_outlines *o, const kg_con
 
 static bool all_met(const kg_origami_state *s, const kg_outlines *o) {
     kg_conditions found = {0};
-    assert_int_equal(kg_conditions_find(s, o, &found), KG_OK);
+    assert_int_equal(kg_conditions_find(s, o, NULL, &found, NULL), KG_OK);
     bool met = true;
     for (size_t i = 0; i < found.count; i++)
         met &= is_met(s, o, &found.items[i]);

@@ -4,6 +4,7 @@
 #include "app/panels/panels.h"
 #include "app/text.h"
 #include "base/array.h"
+#include "base/file.h"
 #include "document/document.h"
 
 #include <stdio.h>
@@ -12,7 +13,7 @@
 #include <sys/stat.h>
 
 /* Files up to these sizes, bytes, are read within a few frames, without a dialog that flashes. */
-enum { SMALL_DOCUMENT = 32 << 10, SMALL_MESH = 1 << 20 };
+enum { SMALL_DOCUMENT = 32 << 10, SMALL_PATTERN = 4 << 10, SMALL_MESH = 1 << 20 };
 
 static bool is_small(const char *path, off_t limit) {
     struct stat info;
@@ -128,7 +129,8 @@ void kg_loading_open(kg_app *app, const char *path) {
         give_up(app);
     kg_status status =
         kg_load_job_document(path, KG_EDITOR_CHORD, &app->gate, &app->load_job, &error);
-    began(app, status, is_small(path, SMALL_DOCUMENT), &error);
+    bool pattern = kg_file_ends_in(path, ".fold") || kg_file_ends_in(path, ".cp");
+    began(app, status, is_small(path, pattern ? SMALL_PATTERN : SMALL_DOCUMENT), &error);
 }
 
 void kg_loading_reference(kg_app *app, const char *path) {
