@@ -11,10 +11,12 @@ bool kg_edge_near(const kg_patch *patch, const kg_region_loop *loop, const kg_re
     double scale = patch->length_at[KG_PATCH_CELLS];
     kg_vec2 at = kg_v2(u, v * scale), before = at;
     for (size_t i = 0; i <= edge->count; i++) {
-        kg_cross_point p = kg_region_edge_point(loop, edge, i);
-        kg_vec2 q = of_cutter ? kg_v2(p.s, p.t * scale) : kg_v2(p.u, p.v * scale);
-        bool far = at.x < fmin(before.x, q.x) - near || at.x > fmax(before.x, q.x) + near ||
-                   at.y < fmin(before.y, q.y) - near || at.y > fmax(before.y, q.y) + near;
+        size_t k = edge->first + i;
+        const kg_cross_point *p = i == edge->count ? &loop->ends[edge - loop->edges]
+                                                   : &loop->points[k % loop->point_count];
+        kg_vec2 q = of_cutter ? kg_v2(p->s, p->t * scale) : kg_v2(p->u, p->v * scale);
+        bool far = at.x < kg_min(before.x, q.x) - near || at.x > kg_max(before.x, q.x) + near ||
+                   at.y < kg_min(before.y, q.y) - near || at.y > kg_max(before.y, q.y) + near;
         if (i > 0 && !far && distance(at, before, q) <= near)
             return true;
         before = q;

@@ -253,18 +253,23 @@ void kg_feet_find(const kg_patch *patch, kg_vec3 point, kg_feet *out) {
 
 double kg_feet_distance2(const kg_feet *feet, const kg_region *region, double most) {
     double best = most;
+    kg_box2 box = kg_box2_empty(); /* in (u,v) */
     for (size_t i = 0; i < region->loop_count; i++) {
         const kg_region_loop *loop = &region->loops[i];
         kg_vec3 last = loop->points[loop->point_count - 1].x;
         for (size_t k = 0; k < loop->point_count; k++) {
-            best = kg_min(segment_distance2(feet->point, last, loop->points[k].x), best);
-            last = loop->points[k].x;
+            const kg_cross_point *p = &loop->points[k];
+            kg_box2_add(&box, kg_v2(p->u, p->v));
+            best = kg_min(segment_distance2(feet->point, last, p->x), best);
+            last = p->x;
         }
     }
-    for (int i = 0; i <= KG_FEET_ROWS; i++)
-        if (feet->distance2[i] < best &&
-            kg_region_contains(region, feet->u[i], (double)i / KG_FEET_ROWS))
+    for (int i = 0; i <= KG_FEET_ROWS; i++) {
+        double u = feet->u[i], v = (double)i / KG_FEET_ROWS;
+        if (feet->distance2[i] < best && u > box.lo.x && u < box.hi.x && v > box.lo.y &&
+            v < box.hi.y && kg_region_contains(region, u, v))
             best = feet->distance2[i];
+    }
     return best;
 }
 
