@@ -47,7 +47,8 @@ KG_API kg_status kg_document_read_memory(const char *data, size_t size, const ch
                                          const char *path, kg_document **out_document,
                                          kg_error *error) KG_CHECKED;
 
-/* Takes over a model; `path` (may be NULL) is where its file lies or will lie. */
+/* Takes over a model, also on failure; `path` (may be NULL) is where its file lies or will lie.
+ * KG_ERR_MEMORY. */
 KG_API kg_status kg_document_from_model(kg_model *model, const char *path,
                                         kg_document **out_document, kg_error *error) KG_CHECKED;
 KG_API kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_document,

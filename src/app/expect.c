@@ -11,7 +11,10 @@
 #include <unistd.h>
 
 kg_status kg_expect_count(const char *what, size_t is, const char *words, kg_error *error) {
-    long wanted = strtol(words, NULL, 10);
+    char *end;
+    long wanted = strtol(words, &end, 10);
+    if (end == words || *end)
+        return kg_fail(error, KG_ERR_INPUT, "%s: \"%s\" is no number", what, words);
     if ((long)is == wanted)
         return KG_OK;
     return kg_fail(error, KG_ERR_INPUT, "%s: %zu, not %ld", what, is, wanted);

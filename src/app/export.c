@@ -63,21 +63,24 @@ kg_status kg_export_copy(const kg_editor *e, const char *path, kg_document **out
     const kg_card_state *card = kg_card_state_of(e);
     bool moving = kg_file_ends_in(path, ".gltf") || kg_file_ends_in(path, ".glb"),
          pattern = kg_file_ends_in(path, ".fold");
-    kg_status status = kg_document_copy(e->document, out_copy, error);
-    if (status || moving || pattern)
+    kg_document *copy;
+    kg_status status = kg_document_copy(e->document, &copy, error);
+    if (status)
         return status;
-    if (card)
-        kg_document_set_open(*out_copy, card->open);
-    if (kg_editor_is(e, KG_DOCUMENT_ORIGAMI)) {
+    if (card && !moving && !pattern)
+        kg_document_set_open(copy, card->open);
+    if (kg_editor_is(e, KG_DOCUMENT_ORIGAMI) && !moving && !pattern) {
         const kg_sheets *sheets = kg_sheets_of(e);
         size_t done = kg_origami_step(kg_editor_origami(e));
         if (sheets->step < done) { /* what could be done again is not part of the copy */
-            status = kg_document_set_step(*out_copy, sheets->step, error);
-            kg_document_set_fraction(*out_copy, sheets->fraction);
+            status = kg_document_set_step(copy, sheets->step, error);
+            kg_document_set_fraction(copy, sheets->fraction);
         }
     }
     if (status)
-        kg_document_destroy(*out_copy);
+        kg_document_destroy(copy);
+    else
+        *out_copy = copy;
     return status;
 }
 

@@ -1,16 +1,11 @@
 /* Assertions of scripts about the net view. */
+#include "app/expect.h"
 #include "app/net_view.h"
 #include "app/script.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static kg_status expect_count(const char *what, size_t is, long wanted, kg_error *error) {
-    return (long)is == wanted
-               ? KG_OK
-               : kg_fail(error, KG_ERR_INPUT, "%s of the net: %zu, not %ld", what, is, wanted);
-}
 
 /* PART PAGE X Y [DEGREES]: where the part's origin lies, to a thousandth of a millimetre */
 static kg_status expect_place(const kg_net_view *v, const kg_net_picture *p, const char *words,
@@ -34,12 +29,11 @@ kg_status kg_script_expect_net(const kg_net_view *v, const char *words, kg_error
     char what[32] = "";
     int read = 0;
     sscanf(words, "%31s %n", what, &read);
-    long wanted = strtol(words + read, NULL, 10);
     if (strcmp(what, "error") == 0 && strstr(kg_net_state_error(v->state), words + read) &&
         kg_net_state_error(v->state)[0])
         return KG_OK;
     if (strcmp(what, "parts") == 0 && !p)
-        return expect_count(what, 0, wanted, error);
+        return kg_expect_count(what, 0, words + read, error);
     if (!p)
         return kg_fail(error, KG_ERR_INPUT, "there is no net: %s", kg_net_state_error(v->state));
     const kg_net *net = p->net.net;
@@ -49,20 +43,21 @@ kg_status kg_script_expect_net(const kg_net_view *v, const char *words, kg_error
         clashes += kg_net_view_clash(v, i) != 0;
     }
     if (strcmp(what, "parts") == 0)
-        return expect_count(what, net->part_count, wanted, error);
+        return kg_expect_count(what, net->part_count, words + read, error);
     if (strcmp(what, "pages") == 0)
-        return expect_count(what, p->layout->page_count, wanted, error);
+        return kg_expect_count(what, p->layout->page_count, words + read, error);
     if (strcmp(what, "joins") == 0)
-        return expect_count(what, net->join_count, wanted, error);
+        return kg_expect_count(what, net->join_count, words + read, error);
     if (strcmp(what, "tabs") == 0)
-        return expect_count(what, p->net.tab_count, wanted, error);
+        return kg_expect_count(what, p->net.tab_count, words + read, error);
     if (strcmp(what, "pinned") == 0)
-        return expect_count(what, pinned, wanted, error);
+        return kg_expect_count(what, pinned, words + read, error);
     if (strcmp(what, "clashes") == 0)
-        return expect_count(what, clashes, wanted, error);
+        return kg_expect_count(what, clashes, words + read, error);
     if (strcmp(what, "join") == 0) /* under the pointer, by its number; 0: none */
-        return expect_count(what, v->hover_join < 0 ? 0 : (size_t)net->joins[v->hover_join].number,
-                            wanted, error);
+        return kg_expect_count(what,
+                               v->hover_join < 0 ? 0 : (size_t)net->joins[v->hover_join].number,
+                               words + read, error);
     if (strcmp(what, "place") == 0)
         return expect_place(v, p, words + read, error);
     return kg_fail(error, KG_ERR_INPUT, "nothing is known about the net's \"%s\"", what);

@@ -1,6 +1,7 @@
 #include "base/reader.h"
 #include "base/phrase.h"
 
+#include <assert.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -77,6 +78,7 @@ kg_status kg_read_fail(kg_reader *r, const char *format, ...) {
 }
 
 void kg_read_enter(kg_reader *r, const char *key, size_t index) {
+    assert(r->depth < KG_READ_DEPTH);
     r->path[r->depth++] = (kg_json_step){key, index};
 }
 
@@ -96,7 +98,6 @@ kg_status kg_read_number(kg_reader *r, const json_t *v, double limit, double *ou
     return KG_OK;
 }
 
-/* An optional member; absent leaves `*out`. */
 kg_status kg_read_double(kg_reader *r, const json_t *object, const char *key, double *out) {
     const json_t *v = json_object_get(object, key);
     if (!v)
@@ -137,7 +138,6 @@ kg_status kg_read_string(kg_reader *r, const json_t *object, const char *key, ch
     return KG_OK;
 }
 
-/* An array of `n` numbers. */
 kg_status kg_read_numbers(kg_reader *r, const json_t *v, size_t n, double *out) {
     if (!json_is_array(v) || json_array_size(v) != n)
         return kg_read_fail(r, "%zu numbers are wanted here", n);
@@ -169,7 +169,6 @@ kg_status kg_read_index(kg_reader *r, const json_t *v, int64_t lo, int64_t hi, i
     return KG_OK;
 }
 
-/* An array of rows of `width` doubles (2 or 3), as kg_vec2 or kg_vec3. */
 kg_status kg_read_rows(kg_reader *r, const json_t *v, size_t width, void **out_rows,
                        size_t *out_count) {
     if (!json_is_array(v))

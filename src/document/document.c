@@ -9,17 +9,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+static kg_document *create(kg_document_kind kind, const char *path) {
+    kg_document *d = calloc(1, sizeof *d);
+    if (d && path && !(d->path = strdup(path))) {
+        free(d);
+        return NULL;
+    }
+    if (d)
+        d->kind = kind;
+    return d;
+}
+
 kg_status kg_document_from_model(kg_model *model, const char *path, kg_document **out_document,
                                  kg_error *error) {
-    kg_document *d = calloc(1, sizeof *d);
-    if (d && path)
-        d->path = strdup(path);
-    if (!d || (path && !d->path)) {
-        free(d);
+    kg_document *d = create(KG_DOCUMENT_PATCHES, path);
+    if (!d) {
         kg_model_destroy(model);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
-    d->kind = KG_DOCUMENT_PATCHES;
     d->model = model;
     *out_document = d;
     return KG_OK;
@@ -27,16 +34,13 @@ kg_status kg_document_from_model(kg_model *model, const char *path, kg_document 
 
 kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_document,
                               kg_error *error) {
-    kg_document *d = calloc(1, sizeof *d);
+    kg_document *d = create(KG_DOCUMENT_OA, path);
     kg_card *card = kg_card_create(oa);
-    if (d && path)
-        d->path = strdup(path);
-    if (!d || !card || (path && !d->path)) {
-        free(d);
+    if (!d || !card) {
+        kg_document_destroy(d);
         kg_card_destroy(card);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
-    d->kind = KG_DOCUMENT_OA;
     d->card = card;
     *out_document = d;
     return KG_OK;
@@ -44,16 +48,13 @@ kg_status kg_document_from_oa(kg_oa *oa, const char *path, kg_document **out_doc
 
 kg_status kg_document_from_origami(kg_origami *origami, const char *path,
                                    kg_document **out_document, kg_error *error) {
-    kg_document *d = calloc(1, sizeof *d);
+    kg_document *d = create(KG_DOCUMENT_ORIGAMI, path);
     kg_folded *folded = kg_folded_create(origami);
-    if (d && path)
-        d->path = strdup(path);
-    if (!d || !folded || (path && !d->path)) {
-        free(d);
+    if (!d || !folded) {
+        kg_document_destroy(d);
         kg_folded_destroy(folded);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
-    d->kind = KG_DOCUMENT_ORIGAMI;
     d->folded = folded;
     *out_document = d;
     return KG_OK;

@@ -49,7 +49,7 @@ void kg_renderer_draw_clipped(kg_renderer *renderer, const kg_scene *scene, cons
 /* The directions of x, y and z in the lower left corner, over what is there. */
 void kg_frame_axes(const kg_renderer *renderer, const kg_frame *frame);
 
-/* A framebuffer of its own with depth; `*out_previous` is what to bind again afterwards. */
+/* A framebuffer of its own with depth, bound until it is destroyed. */
 typedef struct kg_target {
     GLuint framebuffer, color, depth;
     GLint previous;
