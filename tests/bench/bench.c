@@ -102,6 +102,20 @@ static int bench_processes(char *program, char *model) {
     return code;
 }
 
+/* Until the app's window shows, on an X server of its own, where there is one. */
+static void bench_window(const char *program, const char *model) {
+    char command[4096];
+    double seconds = 0;
+    snprintf(command, sizeof command, "python3 '%s/window.py' '%s' '%s'", KATAGAMI_BENCH_SOURCE,
+             program, model);
+    FILE *pipe = popen(command, "r");
+    bool read = pipe && fscanf(pipe, "%lf", &seconds) == 1;
+    if (pipe && pclose(pipe) == 0 && read)
+        bench_row("app: until its window shows", seconds, "ms", 1);
+    else
+        puts("app: window not measured, Xvfb, xdotool or OpenGL is not there");
+}
+
 int main(int argc, char **argv) {
     if (argc != 3) {
         fputs("usage: katagami-bench KATAGAMI MODEL\n", stderr);
@@ -109,6 +123,7 @@ int main(int argc, char **argv) {
     }
     /* first, while this process is small: a child's peak memory starts from its parent's */
     int code = bench_processes(argv[1], argv[2]);
+    bench_window(argv[1], argv[2]);
     bench_patches();
     bench_crossings();
     bench_models();
