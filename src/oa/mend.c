@@ -39,13 +39,14 @@ typedef struct mender {
     kg_oa *before;       /* as it was when the round began */
     const kg_oa *wanted; /* as it was given */
     kg_oa_mend_limits limits;
-    verdict now;   /* of `before` */
-    int round;     /* from 1 */
-    int *changed;  /* per column: the last round that changed it */
-    trial *trials; /* per cell of the sheet: what was tried for the patch that begins there */
-    int wider;     /* columns beside a patch that are changed as well */
-    size_t limit;  /* what a patch made firm may cost */
-    size_t next;   /* the least that one costs which costs more; NOTHING_HELPS: there is none */
+    verdict now;    /* of `before` */
+    int round;      /* from 1 */
+    bool symmetric; /* every change is made on both sides */
+    int *changed;   /* per column: the last round that changed it */
+    trial *trials;  /* per cell of the sheet: what was tried for the patch that begins there */
+    int wider;      /* columns beside a patch that are changed as well */
+    size_t limit;   /* what a patch made firm may cost */
+    size_t next;    /* the least that one costs which costs more; NOTHING_HELPS: there is none */
     struct {
         window *items;
         size_t count, capacity;
@@ -155,12 +156,55 @@ static kg_status judge_part(const mender *m, window w, verdict *out, kg_error *e
     return status;
 }
 
+/* ---- symmetric cards -------------------------------------------------------------------- */
+
+static bool is_symmetric(const kg_oa *card) {
+    size_t levels = (size_t)card->height;
+    for (int x = 0, y = card->width - 1; x < y; x++, y--) {
+        size_t a = (size_t)x, b = (size_t)y;
+        if (memcmp(card->depth + a * levels, card->depth + b * levels,
+                   levels * sizeof *card->depth) != 0 ||
+            memcmp(card->window + a * levels, card->window + b * levels, levels) != 0 ||
+            memcmp(card->omitted + a * (levels + 1), card->omitted + b * (levels + 1),
+                   levels + 1) != 0)
+            return false;
+    }
+    return true;
+}
+
+/* The same columns, and those on the other side when the card is symmetric. */
+static window on_other_side(const mender *m, window w) {
+    return m->symmetric ? (window){m->card->width - w.x1, m->card->width - w.x0} : w;
+}
+
+static void copy_window(const mender *m, kg_oa *to, const kg_oa *from, window w) {
+    window other = on_other_side(m, w);
+    kg_oa_mend_copy(to, from, w.x0, w.x1);
+    kg_oa_mend_copy(to, from, other.x0, other.x1);
+}
+
+/* Makes a change of columns of the window, and on the other side of a symmetric card. */
+static void change(mender *m, const kg_oa_mend *mend, window w) {
+    int last = m->card->width - 1;
+    bool at_left = w.x0 + w.x1 <= m->card->width;
+    kg_oa_mend_apply(m->card, &m->limits, mend);
+    for (int x = w.x0; x < w.x1 && m->symmetric; x++) {
+        bool from_here = at_left ? x <= last - x : x >= last - x;
+        kg_oa_mend_repeat(m->card, from_here ? last - x : x, from_here ? x : last - x);
+    }
+}
+
 /* ---- one patch -------------------------------------------------------------------------- */
 
-/* The columns around [x0, x1) that decide about it: one more than are changed. */
+/* The columns around [x0, x1) that decide about it: one more than are changed. In the middle of a
+ * symmetric card both sides of it. */
 static window window_around(const mender *m, int x0, int x1, int wider) {
     int lo = x0 - wider - 2, hi = x1 + wider + 2;
-    return (window){lo < 0 ? 0 : lo, hi > m->card->width ? m->card->width : hi};
+    window w = {lo < 0 ? 0 : lo, hi > m->card->width ? m->card->width : hi};
+    window other = on_other_side(m, w);
+    if (w.x0 < other.x1 && other.x0 < w.x1)
+        return (window){w.x0 < other.x0 ? w.x0 : other.x0, w.x1 > other.x1 ? w.x1 : other.x1};
+    return w;
 }
 
 /* Makes the change that firms most patches of the window for its cost, if one does for that of
@@ -173,11 +217,11 @@ static kg_status mend_patch(mender *m, const kg_oa_patch *p, window w, size_t *o
     kg_status status = judge_part(m, w, &was, error);
     for (size_t i = 0; i < count && !status; i++) {
         verdict v = {0};
-        kg_oa_mend_apply(m->card, &m->limits, &mends[i]);
+        change(m, &mends[i], w);
         size_t cost = kg_oa_mend_cost(m->card, m->before, w.x0, w.x1);
         if (cost > 0) {
             status = judge_part(m, w, &v, error);
-            kg_oa_mend_copy(m->card, m->before, w.x0, w.x1);
+            copy_window(m, m->card, m->before, w);
         }
         if (status || cost == 0 || !is_better(&v, &was))
             continue;
@@ -192,7 +236,7 @@ static kg_status mend_patch(mender *m, const kg_oa_patch *p, window w, size_t *o
     }
     *out_price = best ? (best_cost + best_gain - 1) / best_gain : NOTHING_HELPS;
     if (!status && *out_price <= m->limit)
-        kg_oa_mend_apply(m->card, &m->limits, best);
+        change(m, best, w);
     return status;
 }
 
@@ -203,6 +247,14 @@ static bool has_changed(const mender *m, window w, int since) {
         if (m->changed[x] >= since)
             return true;
     return false;
+}
+
+static void mark_changed(mender *m, window w) {
+    window other = on_other_side(m, w);
+    for (int x = w.x0; x < w.x1; x++)
+        m->changed[x] = m->round;
+    for (int x = other.x0; x < other.x1; x++)
+        m->changed[x] = m->round;
 }
 
 /* Small ones first. */
@@ -253,8 +305,7 @@ static kg_status mend_troubled(mender *m, const kg_oa_patch **patches, kg_error 
         t->round = m->round;
         if (status || is_too_dear(m, t))
             continue;
-        for (int x = w.x0; x < w.x1; x++)
-            m->changed[x] = m->round;
+        mark_changed(m, w);
         if (!kg_push(&m->edits, w))
             status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
@@ -285,10 +336,10 @@ static kg_status keep_one_by_one(mender *m, kg_oa *after, bool *out_any, kg_erro
     for (size_t i = 0; i < m->edits.count && !status; i++) {
         window w = m->edits.items[i];
         bool kept;
-        kg_oa_mend_copy(m->card, after, w.x0, w.x1);
+        copy_window(m, m->card, after, w);
         status = keep_if_better(m, &kept, error);
         if (!kept)
-            kg_oa_mend_copy(m->card, m->before, w.x0, w.x1);
+            copy_window(m, m->card, m->before, w);
         *out_any = *out_any || kept;
     }
     return status;
@@ -348,38 +399,30 @@ static kg_status mend_all(mender *m, const kg_progress *progress, kg_oa *after, 
 /* ---- putting back ----------------------------------------------------------------------- */
 
 /* Puts a column back as it was wanted, when all stays firm. */
-static kg_status put_back(mender *m, int x, bool *out_done, kg_error *error) {
-    verdict v = {0};
-    window w = window_around(m, x, x + 1, 0);
-    kg_oa_mend_copy(m->card, m->wanted, x, x + 1);
-    kg_status status = judge_part(m, w, &v, error);
-    *out_done = !status && v.loose == 0 && v.missing == 0;
-    if (!*out_done)
-        kg_oa_mend_copy(m->card, m->before, x, x + 1);
+static kg_status put_back(mender *m, int x, kg_error *error) {
+    window one = {x, x + 1};
+    verdict part = {0}, v = {0};
+    copy_window(m, m->card, m->wanted, one);
+    kg_status status = judge_part(m, window_around(m, x, x + 1, 0), &part, error);
+    if (!status && part.loose + part.missing == 0)
+        status = judge(m->card, &v, error);
+    if (v.sheet && v.loose + v.missing == 0) {
+        forget(&m->now);
+        m->now = v;
+        copy_window(m, m->before, m->card, one);
+    } else {
+        forget(&v);
+        copy_window(m, m->card, m->before, one);
+    }
     return status;
 }
 
-/* Columns that need not have been changed, each after those beside it. */
+/* Columns that need not have been changed. */
 static kg_status put_back_all(mender *m, kg_error *error) {
     kg_status status = KG_OK;
-    for (int x = m->limits.first; x < m->limits.last && !status; x++) {
-        bool done = false, kept = false;
-        verdict v = {0};
-        if (kg_oa_mend_cost(m->card, m->wanted, x, x + 1) == 0)
-            continue;
-        status = put_back(m, x, &done, error);
-        if (!status && done)
-            status = judge(m->card, &v, error);
-        kept = !status && done && v.loose == 0 && v.missing == 0;
-        if (kept) {
-            forget(&m->now);
-            m->now = v;
-            kg_oa_mend_copy(m->before, m->card, x, x + 1);
-        } else if (done) {
-            forget(&v);
-            kg_oa_mend_copy(m->card, m->before, x, x + 1);
-        }
-    }
+    for (int x = m->limits.first; x < m->limits.last && !status; x++)
+        if (kg_oa_mend_cost(m->card, m->wanted, x, x + 1) > 0)
+            status = put_back(m, x, error);
     return status;
 }
 
@@ -426,6 +469,7 @@ kg_status kg_oa_stabilize(kg_oa *oa, const kg_progress *progress, kg_oa_mended *
     kg_status status = done ? judge(m.card, &m.now, error) : KG_OK;
     if (done && !status) {
         m.wanted = wanted;
+        m.symmetric = is_symmetric(wanted);
         m.changed = calloc((size_t)m.now.sheet->width, sizeof *m.changed);
         m.trials = calloc((size_t)m.now.sheet->width * (size_t)m.now.sheet->rows, sizeof *m.trials);
         done = m.changed && m.trials;

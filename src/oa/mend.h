@@ -47,6 +47,8 @@ size_t kg_oa_mends_of(const kg_oa_sheet *sheet, const kg_oa_patch *patch, int wi
 
 /* How much the columns [x0, x1) of two cards differ: voxels, windows and omitted tops. */
 size_t kg_oa_mend_cost(const kg_oa *a, const kg_oa *b, int x0, int x1);
+/* Makes one column like another one of the card. */
+void kg_oa_mend_repeat(kg_oa *card, int to, int from);
 /* Copies these columns of a card of the same size. */
 void kg_oa_mend_copy(kg_oa *to, const kg_oa *from, int x0, int x1);
 

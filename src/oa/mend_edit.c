@@ -17,6 +17,13 @@ void kg_oa_mend_copy(kg_oa *to, const kg_oa *from, int x0, int x1) {
     memcpy(to->omitted + tops, from->omitted + tops, columns * (levels + 1));
 }
 
+void kg_oa_mend_repeat(kg_oa *card, int to, int from) {
+    size_t levels = (size_t)card->height, a = (size_t)to, b = (size_t)from;
+    memcpy(column_of(card, to), column_of(card, from), levels * sizeof *card->depth);
+    memcpy(card->window + a * levels, card->window + b * levels, levels);
+    memcpy(card->omitted + a * (levels + 1), card->omitted + b * (levels + 1), levels + 1);
+}
+
 /* Voxels that differ; what appears or vanishes before the back sheet is seen most. */
 static size_t depth_cost(int a, int b) {
     enum { SILHOUETTE = 4 };
@@ -121,13 +128,6 @@ static void move_top(kg_oa *card, const kg_oa_mend_limits *limits, int x, const 
 
 /* ---- columns ---------------------------------------------------------------------------- */
 
-static void copy_column(kg_oa *card, int to, int from) {
-    size_t levels = (size_t)card->height, a = (size_t)to, b = (size_t)from;
-    memcpy(column_of(card, to), column_of(card, from), levels * sizeof *card->depth);
-    memcpy(card->window + a * levels, card->window + b * levels, levels);
-    memcpy(card->omitted + a * (levels + 1), card->omitted + b * (levels + 1), levels + 1);
-}
-
 static void change_column(kg_oa *card, const kg_oa_mend_limits *limits, int x,
                           const kg_oa_mend *m) {
     switch (m->kind) {
@@ -152,7 +152,7 @@ static void change_column(kg_oa *card, const kg_oa_mend_limits *limits, int x,
         break;
     case KG_OA_AS_LEFT:
     case KG_OA_AS_RIGHT:
-        copy_column(card, x, m->kind == KG_OA_AS_LEFT ? x - 1 : x + 1);
+        kg_oa_mend_repeat(card, x, m->kind == KG_OA_AS_LEFT ? x - 1 : x + 1);
         break;
     case KG_OA_FLATTEN:
         memset(column_of(card, x), 0, (size_t)card->height * sizeof *card->depth);

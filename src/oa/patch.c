@@ -10,7 +10,10 @@ typedef struct mapper {
     const kg_oa_sheet *sheet;
     int32_t *patch_of;
     struct {
-        size_t *items; /* pieces to go on from */
+        struct place {
+            size_t piece;
+            int x, row;
+        } * items; /* pieces to go on from */
         size_t count, capacity;
     } open;
     struct {
@@ -36,53 +39,51 @@ static size_t piece_at(const kg_oa_sheet *s, int x, int row, int edge) {
     return cell + (shape == (edge == LOWER ? KG_OA_SLASH : KG_OA_BACKSLASH));
 }
 
-static bool join(mapper *m, size_t piece, int32_t patch) {
+static bool join(mapper *m, size_t piece, int x, int row, int32_t patch) {
     if (m->patch_of[piece] >= 0)
         return true;
     m->patch_of[piece] = patch;
-    return kg_push(&m->open, piece);
+    return kg_push(&m->open, ((struct place){piece, x, row}));
 }
 
 /* The same as go_on of a sheet without bent cells: by far most sheets, and much faster. */
-static bool go_on_plain(mapper *m, size_t piece, int32_t patch) {
+static bool go_on_plain(mapper *m, size_t piece, int x, int row, int32_t patch) {
     const kg_oa_sheet *s = m->sheet;
-    size_t cell = piece / 2, width = (size_t)s->width;
-    int x = (int)(cell % width), row = (int)(cell / width);
-    const int32_t *place = s->place + cell;
+    size_t width = (size_t)s->width;
+    const int32_t *place = s->place + piece / 2;
     /* what lies below or above in the same plane: a vertical cell is placed alike, the y of
      * horizontal ones is one more with every row */
     int32_t onward = *place & 1 ? 2 : 0;
-    return (x + 1 == s->width || place[1] != *place || join(m, piece + 2, patch)) &&
-           (x == 0 || place[-1] != *place || join(m, piece - 2, patch)) &&
+    return (x + 1 == s->width || place[1] != *place || join(m, piece + 2, x + 1, row, patch)) &&
+           (x == 0 || place[-1] != *place || join(m, piece - 2, x - 1, row, patch)) &&
            (row + 1 == s->rows || place[width] != *place + onward ||
-            join(m, piece + 2 * width, patch)) &&
-           (row == 0 || *(place - width) != *place - onward || join(m, piece - 2 * width, patch));
+            join(m, piece + 2 * width, x, row + 1, patch)) &&
+           (row == 0 || *(place - width) != *place - onward ||
+            join(m, piece - 2 * width, x, row - 1, patch));
 }
 
 /* Gives the patch on to the pieces beyond those edges of `piece` that are no lines. */
-static bool go_on(mapper *m, size_t piece, int32_t patch) {
+static bool go_on(mapper *m, size_t piece, int x, int row, int32_t patch) {
     const kg_oa_sheet *s = m->sheet;
     if (!s->bent)
-        return go_on_plain(m, piece, patch);
-    int x = (int)(piece / 2 % (size_t)s->width), row = (int)(piece / 2 / (size_t)s->width);
+        return go_on_plain(m, piece, x, row, patch);
     bool done = true;
     if (x + 1 < s->width && piece_at(s, x, row, RIGHT) == piece &&
         kg_oa_edge_right(s, x, row) == KG_OA_NONE)
-        done = join(m, piece_at(s, x + 1, row, LEFT), patch);
+        done = join(m, piece_at(s, x + 1, row, LEFT), x + 1, row, patch);
     if (done && x > 0 && piece_at(s, x, row, LEFT) == piece &&
         kg_oa_edge_right(s, x - 1, row) == KG_OA_NONE)
-        done = join(m, piece_at(s, x - 1, row, RIGHT), patch);
+        done = join(m, piece_at(s, x - 1, row, RIGHT), x - 1, row, patch);
     if (done && row + 1 < s->rows && piece_at(s, x, row, LOWER) == piece &&
         kg_oa_edge_below(s, x, row) == KG_OA_NONE)
-        done = join(m, piece_at(s, x, row + 1, UPPER), patch);
+        done = join(m, piece_at(s, x, row + 1, UPPER), x, row + 1, patch);
     if (done && row > 0 && piece_at(s, x, row, UPPER) == piece &&
         kg_oa_edge_below(s, x, row - 1) == KG_OA_NONE)
-        done = join(m, piece_at(s, x, row - 1, LOWER), patch);
+        done = join(m, piece_at(s, x, row - 1, LOWER), x, row - 1, patch);
     return done;
 }
 
-static void widen(const kg_oa_sheet *s, size_t piece, kg_oa_patch *p) {
-    int x = (int)(piece / 2 % (size_t)s->width), row = (int)(piece / 2 / (size_t)s->width);
+static void widen(const kg_oa_sheet *s, size_t piece, int x, int row, kg_oa_patch *p) {
     p->x0 = x < p->x0 ? x : p->x0;
     p->x1 = x >= p->x1 ? x + 1 : p->x1;
     p->row0 = row < p->row0 ? row : p->row0;
@@ -111,12 +112,12 @@ static bool map_patch(mapper *m, size_t first) {
                      .row0 = row,
                      .plane = piece.plane,
                      .plane_id = plane_id(s, &piece, m->patches.count)};
-    if (!join(m, first, patch))
+    if (!join(m, first, x, row, patch))
         return false;
     while (m->open.count > 0) {
-        size_t at = m->open.items[--m->open.count];
-        widen(s, at, &p);
-        if (!go_on(m, at, patch))
+        struct place at = m->open.items[--m->open.count];
+        widen(s, at.piece, at.x, at.row, &p);
+        if (!go_on(m, at.piece, at.x, at.row, patch))
             return false;
     }
     return kg_push(&m->patches, p);

@@ -133,6 +133,21 @@ static void margins_and_pyramids_count(void **state) {
     }
 }
 
+static void symmetric_cards_stay_so(void **state) {
+    (void)state;
+    kg_random r = {55};
+    size_t mended = 0;
+    for (int n = 0; n < 200; n++) {
+        kg_oa *oa = random_card(&r, n % 3 * 0.1, n % 4 * 0.05, n % 5 > 0);
+        oa->diagonals = n % 4 == 0;
+        kg_oa_mirror(oa, n % 2);
+        mended += mend(oa) > 0;
+        assert_false(kg_oa_mirror(oa, false));
+        kg_oa_destroy(oa);
+    }
+    assert_true(mended > 100);
+}
+
 static void wide_cards_stand_when_mended(void **state) {
     (void)state;
     kg_random r = {53};
@@ -231,6 +246,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_cards_stand_when_mended),
         cmocka_unit_test(margins_and_pyramids_count),
+        cmocka_unit_test(symmetric_cards_stay_so),
         cmocka_unit_test(wide_cards_stand_when_mended),
         cmocka_unit_test(a_double_step_loses_its_smaller_step),
         cmocka_unit_test(a_flap_is_closed),

@@ -237,8 +237,11 @@ static bool fields(kg_oa_options *o) {
 
 static void tell(const kg_conversion *c, const kg_oa_options *o) {
     char text[128];
-    snprintf(text, sizeof text, _("Sheet: %.4g × %.4g mm"), o->width * o->cell_mm,
-             (o->depth + o->height) * o->cell_mm);
+    const kg_oa *made = c->made.document ? kg_document_oa(c->made.document) : NULL;
+    double cell = made ? made->cell_mm : o->cell_mm;
+    int margin = made ? made->margin_cells : o->margin;
+    snprintf(text, sizeof text, _("Sheet: %.4g × %.4g mm"), (o->width + 2 * margin) * cell,
+             (o->depth + o->height + 2 * margin) * cell);
     kg_ui_text_dim(text);
     const kg_oa_stability *stability =
         c->made.document ? kg_document_stability(c->made.document) : NULL;
