@@ -423,8 +423,8 @@ KG_API bool kg_oa_axis_parse(const char *text, kg_vec3 *out_axis);
 
 /* Makes a card of a mesh (section 3): the depth of its front half seen from the front, smoothed,
  * made a staircase, opened by windows, thin tops left out, and made to stand. The first and last
- * column, the top row and the front row of the base stay plain. KG_ERR_INPUT (sizes; a mesh without any extent across
- * the view), KG_ERR_CANCELLED, KG_ERR_MEMORY. `progress` may be NULL. */
+ * column, the top row and the front row of the base stay plain. KG_ERR_INPUT (sizes; a mesh without
+ * any extent across the view), KG_ERR_CANCELLED, KG_ERR_MEMORY. `progress` may be NULL. */
 KG_API kg_status kg_oa_convert(const kg_mesh *mesh, const kg_oa_options *options,
                                const kg_progress *progress, kg_oa **out_oa,
                                kg_error *error) KG_CHECKED;

@@ -30,7 +30,8 @@ static bool find_layers(kg_document *d, kg_layer_report *out) {
     if (!kg_document_layers(d))
         return false;
     *out = *kg_document_layers(d);
-    return out->states > 0 || kg_origami_count_orders(kg_document_origami(d), NULL, out, NULL) == KG_OK;
+    return out->states > 0 ||
+           kg_origami_count_orders(kg_document_origami(d), NULL, out, NULL) == KG_OK;
 }
 
 void kg_paper_print(kg_document *d) {

@@ -84,7 +84,8 @@ static void bench_layers(size_t faces) {
     if (kg_origami_fold_text(o, kg_origami_step(o), false, &text, &size, &error) == KG_OK) {
         memcpy(strstr(text, "\"file_frames\""), "\"some_frames\"", 13);
         double start = bench_now();
-        kg_status status = kg_origami_import_memory(text, size, "b.fold", NULL, &read, &report, &error);
+        kg_status status =
+            kg_origami_import_memory(text, size, "b.fold", NULL, &read, &report, &error);
         double time = bench_now() - start;
         snprintf(what, sizeof what, "origami: layers of %zu faces, %zu pairs, %s%g states",
                  kg_origami_state_at(o, kg_origami_step(o))->loops.count, report.pairs,

@@ -17,8 +17,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     kg_layer_report report = kg_layer_report_default();
     report.most_steps = 1e4;
     report.most_states = 100;
-    kg_status status =
-        kg_origami_import_memory((const char *)data, size, FUZZ_NAME, NULL, &origami, &report, &error);
+    kg_status status = kg_origami_import_memory((const char *)data, size, FUZZ_NAME, NULL, &origami,
+                                                &report, &error);
     if (status) {
         assert(!origami);
         assert(strncmp(error.message, FUZZ_NAME, strlen(FUZZ_NAME)) == 0);
