@@ -33,8 +33,8 @@ typedef struct turn {
     double angle;
     kg_vec2 offset, size; /* of its bounding box */
     double centre;        /* height of its centre of area in the box */
-    bool made;
-    kg_nest_raster wide, slim; /* with the spacing and without */
+    bool made[2];
+    kg_nest_raster rasters[2]; /* without the spacing and with it, made when asked for */
 } turn;
 
 typedef struct item {
@@ -82,6 +82,17 @@ static uint64_t next_random(nester *n) {
     return z ^ (z >> 31);
 }
 
+/* Height of the centre of area of the outer contour. */
+static double centre_height(const kg_nest_shape *shape, const kg_vec2 *points) {
+    double area = 0, moment = 0;
+    for (size_t i = 0; i < shape->ends[0]; i++) {
+        kg_vec2 a = points[i], b = points[i + 1 < shape->ends[0] ? i + 1 : 0];
+        area += kg_cross2(a, b);
+        moment += kg_cross2(a, b) * (a.y + b.y) / 3;
+    }
+    return area != 0 ? grained(moment / area) : 0;
+}
+
 static void init_turns(nester *n, size_t index) {
     item *it = &n->items[index];
     const double full = 2 * KG_PI;
@@ -95,30 +106,22 @@ static void init_turns(nester *n, size_t index) {
         turn *t = &it->turns[k];
         t->angle = start + full * k / it->turn_count;
         kg_nest_shape_turn(&it->shape, t->angle, n->scratch, &t->offset, &t->size);
+        t->centre = centre_height(&it->shape, n->scratch);
     }
 }
 
-/* Height of the centre of area of the outer contour. */
-static double centre_height(const kg_nest_shape *shape, const kg_vec2 *points) {
-    double area = 0, moment = 0;
-    for (size_t i = 0; i < shape->ends[0]; i++) {
-        kg_vec2 a = points[i], b = points[i + 1 < shape->ends[0] ? i + 1 : 0];
-        area += kg_cross2(a, b);
-        moment += kg_cross2(a, b) * (a.y + b.y) / 3;
-    }
-    return area != 0 ? grained(moment / area) : 0;
-}
-
-static kg_status make_rasters(nester *n, const item *it, turn *t) {
-    if (t->made)
+/* The cells of a turned part, with the spacing or without. */
+static kg_status raster_of(nester *n, const item *it, turn *t, bool wide,
+                           const kg_nest_raster **out) {
+    *out = &t->rasters[wide];
+    if (t->made[wide])
         return KG_OK;
-    kg_nest_shape_turn(&it->shape, t->angle, n->scratch, &t->offset, &t->size);
-    t->centre = centre_height(&it->shape, n->scratch);
-    double slim = SIMPLIFY, wide = n->options.spacing + SIMPLIFY;
-    kg_status status = kg_nest_raster_make(&it->shape, n->scratch, n->cell, slim, NULL, &t->slim);
-    if (status == KG_OK)
-        status = kg_nest_raster_make(&it->shape, n->scratch, n->cell, wide, NULL, &t->wide);
-    t->made = status == KG_OK;
+    kg_vec2 offset, size;
+    kg_nest_shape_turn(&it->shape, t->angle, n->scratch, &offset, &size);
+    double reach = wide ? n->options.spacing + SIMPLIFY : SIMPLIFY;
+    kg_status status =
+        kg_nest_raster_make(&it->shape, n->scratch, n->cell, reach, NULL, &t->rasters[wide]);
+    t->made[wide] = status == KG_OK;
     return status;
 }
 
@@ -134,23 +137,24 @@ static bool last_start(const nester *n, const turn *t, int *out_x, int *out_y) {
 /* Looks for the turn and place of a part on one page whose centre of area is the highest. */
 static kg_status place_on_page(nester *n, size_t index, uint64_t turns, kg_nest_page *page,
                                bool *out_found, kg_nest_place *out_place, double *out_depth) {
-    item *it = &n->items[index];
-    const turn *best = NULL;
+    const item *it = &n->items[index];
+    const kg_nest_raster *raster;
+    turn *best = NULL;
     double best_height = HUGE_VAL;
     int best_x = 0, best_y = 0;
     for (int k = 0; k < it->turn_count; k++) {
-        turn *t = &it->turns[k];
+        turn *t = &n->items[index].turns[k];
         int x, y;
         if (!(turns >> k & 1) || !last_start(n, t, &x, &y))
             continue;
-        kg_status status = make_rasters(n, it, t);
-        if (status != KG_OK)
-            return status;
         double limit = floor((best_height - t->centre) / n->cell);
         if (limit < 0)
             continue;
         y = limit < y ? (int)limit : y;
-        if (!kg_nest_page_find(page, &t->wide, x, y, &x, &y, &n->work))
+        kg_status status = raster_of(n, it, t, true, &raster);
+        if (status != KG_OK)
+            return status;
+        if (!kg_nest_page_find(page, raster, x, y, &x, &y, &n->work))
             continue;
         double height = y * n->cell + t->centre;
         if (height < best_height || (height == best_height && x < best_x)) {
@@ -163,7 +167,10 @@ static kg_status place_on_page(nester *n, size_t index, uint64_t turns, kg_nest_
     *out_found = best != NULL;
     if (!best)
         return KG_OK;
-    kg_nest_page_take(page, &best->slim, best_x, best_y);
+    kg_status status = raster_of(n, it, best, false, &raster);
+    if (status != KG_OK)
+        return status;
+    kg_nest_page_take(page, raster, best_x, best_y);
     kg_vec2 corner = kg_v2(best_x * n->cell + SIMPLIFY, best_y * n->cell + SIMPLIFY);
     out_place->angle = best->angle;
     out_place->offset = kg_add2(best->offset, corner);
@@ -481,8 +488,8 @@ static void destroy(nester *n) {
         free(n->items[i].shape.points);
         free(n->items[i].shape.ends);
         for (int k = 0; k < n->items[i].turn_count; k++) {
-            free(n->items[i].turns[k].wide.runs);
-            free(n->items[i].turns[k].slim.runs);
+            free(n->items[i].turns[k].rasters[0].runs);
+            free(n->items[i].turns[k].rasters[1].runs);
         }
     }
     for (size_t i = 0; i < n->fixed.count; i++)

@@ -7,11 +7,40 @@
 /* One more cell on each side of what the reach needs, for rounding. */
 static const int GUARD = 1;
 
+enum { BITS = 64 };
+
+/* A bit for every cell, rows from whole words on. */
 typedef struct canvas {
-    unsigned char *cells;
+    uint64_t *words;
+    size_t stride;             /* words of a row */
     int x0, y0, width, height; /* in cells; (x0, y0) is the first one */
     double cell;
 } canvas;
+
+static uint64_t *row_of(const canvas *c, int row) {
+    return c->words + (size_t)(row - c->y0) * c->stride;
+}
+
+/* Sets bits lo … hi of a row. */
+static void set_bits(uint64_t *row, int lo, int hi) {
+    int i = lo / BITS, last = hi / BITS;
+    uint64_t mask = UINT64_MAX << (lo % BITS);
+    for (; i < last; i++, mask = UINT64_MAX)
+        row[i] |= mask;
+    row[i] |= mask & (UINT64_MAX >> (BITS - 1 - hi % BITS));
+}
+
+/* The first bit from `from` on that is set (or not), `width` if there is none. */
+static int next_bit(const uint64_t *row, int from, int width, bool set) {
+    for (; from < width; from = (from / BITS + 1) * BITS) {
+        uint64_t word = row[from / BITS], bits = (set ? word : ~word) >> (from % BITS);
+        if (bits) {
+            from += __builtin_ctzll(bits);
+            return from < width ? from : width;
+        }
+    }
+    return width;
+}
 
 void kg_nest_shape_turn(const kg_nest_shape *shape, double angle, kg_vec2 *out_points,
                         kg_vec2 *out_offset, kg_vec2 *out_size) {
@@ -29,38 +58,6 @@ void kg_nest_shape_turn(const kg_nest_shape *shape, double angle, kg_vec2 *out_p
     *out_size = kg_sub2(box.hi, box.lo);
 }
 
-static double point_segment_distance(kg_vec2 p, kg_vec2 a, kg_vec2 b) {
-    kg_vec2 d = kg_sub2(b, a);
-    double dd = kg_dot2(d, d);
-    double t = dd > 0 ? kg_dot2(kg_sub2(p, a), d) / dd : 0;
-    return kg_dist2(p, kg_lerp2(a, b, fmin(fmax(t, 0), 1)));
-}
-
-static double point_box_distance(kg_vec2 p, kg_box2 box) {
-    double dx = fmax(fmax(box.lo.x - p.x, p.x - box.hi.x), 0);
-    double dy = fmax(fmax(box.lo.y - p.y, p.y - box.hi.y), 0);
-    return sqrt(dx * dx + dy * dy);
-}
-
-/* Whether the segment comes within `reach` of the box: it crosses a diagonal of it, or the nearest
- * points are an end of the one and a side of the other. */
-static bool segment_near_box(kg_vec2 a, kg_vec2 b, kg_box2 box, double reach) {
-    kg_vec2 corner[4] = {box.lo, {box.hi.x, box.lo.y}, box.hi, {box.lo.x, box.hi.y}};
-    if (point_box_distance(a, box) <= reach || point_box_distance(b, box) <= reach)
-        return true;
-    kg_vec2 d = kg_sub2(b, a);
-    bool left = false, right = false;
-    for (int i = 0; i < 4; i++) {
-        if (point_segment_distance(corner[i], a, b) <= reach)
-            return true;
-        double side = kg_cross2(d, kg_sub2(corner[i], a));
-        left = left || side >= 0;
-        right = right || side <= 0;
-    }
-    return left && right && fmin(a.x, b.x) <= box.hi.x && fmax(a.x, b.x) >= box.lo.x &&
-           fmin(a.y, b.y) <= box.hi.y && fmax(a.y, b.y) >= box.lo.y;
-}
-
 static int cell_of(double x, double cell) {
     return (int)floor(x / cell);
 }
@@ -69,36 +66,60 @@ static int clamp_int(int v, int lo, int hi) {
     return v < lo ? lo : v > hi ? hi : v;
 }
 
-/* Marks the cells within `reach` of a segment. In each row they are one run (the set is convex), so
- * only its two ends are searched. */
+/* A segment widened by a disc: all points within `reach` of it. */
+typedef struct capsule {
+    kg_vec2 end[2];
+    double reach;
+    kg_vec2 aside; /* from the segment to the side of the capsule on its left */
+} capsule;
+
+/* How far the capsule reaches at height y, to the right (sign 1) or left (-1), where y is one of
+ * its heights: on a disc or on a side, whichever is farthest. */
+static double side_at(const capsule *c, double y, double sign) {
+    double far = -INFINITY;
+    for (int k = 0; k < 2; k++) {
+        double off = y - c->end[k].y, room = c->reach * c->reach - off * off;
+        if (room >= 0)
+            far = kg_max(sign * c->end[k].x + sqrt(room), far);
+    }
+    /* of the two sides the one on the right has an outward normal with x > 0 */
+    double way = sign * c->aside.x < 0 ? -1 : 1;
+    kg_vec2 p = kg_v2(c->end[0].x + way * c->aside.x, c->end[0].y + way * c->aside.y);
+    double rise = c->end[1].y - c->end[0].y, t = (y - p.y) / rise;
+    if (rise != 0 && t >= 0 && t <= 1)
+        far = kg_max(sign * (p.x + t * (c->end[1].x - c->end[0].x)), far);
+    if (isinf(far)) /* at the very top or bottom, and rounded out */
+        return c->end[fabs(y - c->end[0].y) > fabs(y - c->end[1].y)].x;
+    return sign * far;
+}
+
+/* mm more than the reach, for what rounding may take from it. */
+static const double ROUNDING = 1e-9;
+
+/* Marks the cells within `reach` of a segment. In each row of cells they are one run, as the
+ * capsule is convex: its ends in a row are those at the height nearest to its leftmost and to its
+ * rightmost point. */
 static void mark_segment(canvas *c, kg_vec2 a, kg_vec2 b, double reach) {
-    int last_row = c->y0 + c->height - 1, last_col = c->x0 + c->width - 1;
-    int row0 = clamp_int(cell_of(fmin(a.y, b.y) - reach, c->cell), c->y0, last_row);
-    int row1 = clamp_int(cell_of(fmax(a.y, b.y) + reach, c->cell), c->y0, last_row);
     kg_vec2 d = kg_sub2(b, a);
+    double length = kg_len2(d), wide = reach + ROUNDING;
+    capsule of = {{a, b}, wide, {0, 0}};
+    if (length > 0)
+        of.aside = kg_v2(-d.y * wide / length, d.x * wide / length);
+    double low = kg_min(a.y, b.y) - wide, high = kg_max(a.y, b.y) + wide;
+    double leftmost = a.x < b.x ? a.y : b.y, rightmost = a.x < b.x ? b.y : a.y;
+    int last_row = c->y0 + c->height - 1, last_col = c->x0 + c->width - 1;
+    int row0 = clamp_int(cell_of(low, c->cell), c->y0, last_row);
+    int row1 = clamp_int(cell_of(high, c->cell), c->y0, last_row);
     for (int row = row0; row <= row1; row++) {
-        double top = row * c->cell - reach, bottom = (row + 1) * c->cell + reach, t0 = 0, t1 = 1;
-        if (d.y != 0) {
-            double s0 = (top - a.y) / d.y, s1 = (bottom - a.y) / d.y;
-            t0 = fmin(fmax(fmin(s0, s1), 0), 1);
-            t1 = fmin(fmax(fmax(s0, s1), 0), 1);
-        }
-        double x0 = a.x + t0 * d.x, x1 = a.x + t1 * d.x;
-        int lo = clamp_int(cell_of(fmin(x0, x1) - reach, c->cell), c->x0, last_col);
-        int hi = clamp_int(cell_of(fmax(x0, x1) + reach, c->cell), c->x0, last_col);
-        kg_box2 box = {{0, row * c->cell}, {0, (row + 1) * c->cell}};
-        for (bool found = false; lo <= hi && !found; lo += !found) {
-            box.lo.x = lo * c->cell;
-            box.hi.x = (lo + 1) * c->cell;
-            found = segment_near_box(a, b, box, reach);
-        }
-        for (bool found = false; lo <= hi && !found; hi -= !found) {
-            box.lo.x = hi * c->cell;
-            box.hi.x = (hi + 1) * c->cell;
-            found = segment_near_box(a, b, box, reach);
-        }
-        for (int col = lo; col <= hi; col++)
-            c->cells[(size_t)(row - c->y0) * (size_t)c->width + (size_t)(col - c->x0)] = 1;
+        double top = kg_max(row * c->cell, low), bottom = kg_min((row + 1) * c->cell, high);
+        if (top > bottom) /* outside the window */
+            continue;
+        double x0 = side_at(&of, kg_min(kg_max(leftmost, top), bottom), -1);
+        double x1 = side_at(&of, kg_min(kg_max(rightmost, top), bottom), 1);
+        int lo = clamp_int(cell_of(x0, c->cell), c->x0, last_col + 1);
+        int hi = clamp_int(cell_of(x1, c->cell), c->x0 - 1, last_col);
+        if (lo <= hi)
+            set_bits(row_of(c, row), lo - c->x0, hi - c->x0);
     }
 }
 
@@ -123,13 +144,17 @@ static void mark_inside(canvas *c, const kg_nest_shape *shape, const kg_vec2 *po
                     break;
                 double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
                 int col = clamp_int((int)ceil(x / c->cell - 0.5), c->x0, c->x0 + c->width - 1);
-                c->cells[(size_t)(row - c->y0) * (size_t)c->width + (size_t)(col - c->x0)] ^= 1;
+                row_of(c, row)[(col - c->x0) / BITS] ^= (uint64_t)1 << ((col - c->x0) % BITS);
             }
         }
     for (int row = 0; row < c->height; row++) {
-        unsigned char *cells = c->cells + (size_t)row * (size_t)c->width, inside = 0;
-        for (int col = 0; col < c->width; col++)
-            cells[col] = inside = (unsigned char)(inside ^ cells[col]);
+        uint64_t *words = row_of(c, row + c->y0), inside = 0;
+        for (size_t i = 0; i < c->stride; i++) {
+            for (int shift = 1; shift < BITS; shift *= 2)
+                words[i] ^= words[i] << shift;
+            words[i] ^= inside;
+            inside = words[i] >> (BITS - 1) ? UINT64_MAX : 0;
+        }
     }
 }
 
@@ -149,20 +174,17 @@ static bool collect_runs(const canvas *c, kg_nest_raster *out) {
         size_t count, capacity;
     } runs = {0};
     for (int row = 0; row < c->height; row++) {
-        const unsigned char *cells = c->cells + (size_t)row * (size_t)c->width;
-        for (int col = 0; col < c->width;) {
-            int begin = col;
-            while (col < c->width && cells[col])
-                col++;
-            kg_nest_run run = {row + c->y0, begin + c->x0, col - 1 + c->x0};
-            if (col > begin && !kg_push(&runs, run)) {
+        const uint64_t *words = row_of(c, row + c->y0);
+        for (int begin, end = 0; (begin = next_bit(words, end, c->width, true)) < c->width;) {
+            end = next_bit(words, begin, c->width, false);
+            if (!kg_push(&runs, ((kg_nest_run){row + c->y0, begin + c->x0, end - 1 + c->x0}))) {
                 free(runs.items);
                 return false;
             }
-            col += col == begin;
         }
     }
-    qsort(runs.items, runs.count, sizeof *runs.items, longer_first);
+    if (runs.count)
+        qsort(runs.items, runs.count, sizeof *runs.items, longer_first);
     out->runs = runs.items;
     out->count = runs.count;
     return true;
@@ -186,8 +208,9 @@ kg_status kg_nest_raster_make(const kg_nest_shape *shape, const kg_vec2 *points,
         *out = (kg_nest_raster){0};
         return KG_OK;
     }
-    c.cells = calloc((size_t)c.width, (size_t)c.height);
-    if (!c.cells)
+    c.stride = (size_t)(c.width - 1) / BITS + 1;
+    c.words = calloc((size_t)c.height, c.stride * sizeof *c.words);
+    if (!c.words)
         return KG_ERR_MEMORY;
     mark_inside(&c, shape, points);
     size_t begin = 0;
@@ -195,6 +218,6 @@ kg_status kg_nest_raster_make(const kg_nest_shape *shape, const kg_vec2 *points,
         for (size_t i = begin, n = shape->ends[k]; i < n; i++)
             mark_segment(&c, points[i], points[i + 1 < n ? i + 1 : begin], reach);
     bool done = collect_runs(&c, out);
-    free(c.cells);
+    free(c.words);
     return done ? KG_OK : KG_ERR_MEMORY;
 }
