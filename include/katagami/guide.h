@@ -97,6 +97,12 @@ KG_API kg_status kg_guide_write(const kg_document *document, const kg_document_n
                                 const char *path, const kg_progress *progress,
                                 kg_error *error) KG_CHECKED;
 
+/* The same bytes in memory, to be freed with free(). */
+KG_API kg_status kg_guide_write_memory(const kg_document *document, const kg_document_net *net,
+                                       const kg_net_layout *layout, const kg_net_options *options,
+                                       const kg_progress *progress, char **out_data,
+                                       size_t *out_size, kg_error *error) KG_CHECKED;
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,5 +1,7 @@
 #include "app/task.h"
 
+#include "base/signals.h"
+
 static void pass(kg_task *t) {
     if (t->gate)
         kg_gate_pass(t->gate, &t->hurries);
@@ -21,7 +23,11 @@ bool kg_task_start(kg_task *t, kg_gate *gate, void (*work)(void *user), void *us
     t->user = user;
     if (gate)
         kg_gate_enter(gate);
-    if (pthread_create(&t->thread, NULL, run, t) == 0)
+    sigset_t before;
+    kg_signals_hold(&before); /* the first thread is the one that is asked to end */
+    bool started = pthread_create(&t->thread, NULL, run, t) == 0;
+    kg_signals_release(&before);
+    if (started)
         return true;
     if (gate)
         kg_gate_leave(gate);

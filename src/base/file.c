@@ -1,6 +1,7 @@
 #include "base/file.h"
 #include "base/phrase.h"
 #include "base/progress.h"
+#include "base/signals.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -118,13 +119,7 @@ void kg_file_discard(const char *temporary) {
         unlink(temporary);
 }
 
-kg_status kg_file_write(const char *path, const void *data, size_t size, kg_error *error) {
-    if (strcmp(path, "-") == 0) {
-        if (fwrite(data, 1, size, stdout) != size || fflush(stdout) != 0)
-            return kg_fail(error, KG_ERR_IO, "standard output: cannot write: %s",
-                           kg_phrase_of_errno(errno));
-        return KG_OK;
-    }
+static kg_status replace(const char *path, const void *data, size_t size, kg_error *error) {
     char *temporary;
     kg_status status = kg_file_temporary(path, &temporary, error);
     if (status)
@@ -140,6 +135,20 @@ kg_status kg_file_write(const char *path, const void *data, size_t size, kg_erro
         kg_file_discard(temporary);
     }
     free(temporary);
+    return status;
+}
+
+kg_status kg_file_write(const char *path, const void *data, size_t size, kg_error *error) {
+    if (strcmp(path, "-") == 0) {
+        if (fwrite(data, 1, size, stdout) != size || fflush(stdout) != 0)
+            return kg_fail(error, KG_ERR_IO, "standard output: cannot write: %s",
+                           kg_phrase_of_errno(errno));
+        return KG_OK;
+    }
+    sigset_t before;
+    kg_signals_hold(&before);
+    kg_status status = replace(path, data, size, error);
+    kg_signals_release(&before);
     return status;
 }
 

@@ -1,6 +1,7 @@
 /* katagami net: from a model to pages that can be cut. */
 #include "app/language.h"
 #include "base/file.h"
+#include "base/signals.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "katagami/guide.h"
@@ -114,13 +115,33 @@ typedef struct outputs {
     const char *net, *guide, *language, *report;
 } outputs;
 
-/* Writes text to a new temporary file beside `path`; "-" is left for later. */
-static kg_status write_beside(const char *path, const char *text, char **out_temporary,
-                              kg_error *error) {
-    if (strcmp(path, "-") == 0)
+/* A file beside the net. */
+typedef struct companion {
+    const char *path; /* NULL: none is wanted */
+    char *data;
+    size_t size;
+    char *temporary;
+} companion;
+
+/* Writes it to a temporary file; standard output is left for later. */
+static kg_status prepare(companion *c, kg_error *error) {
+    if (!c->path || strcmp(c->path, "-") == 0)
         return KG_OK;
-    kg_status status = kg_file_temporary(path, out_temporary, error);
-    return status ? status : kg_file_write(*out_temporary, text, strlen(text), error);
+    kg_status status = kg_file_temporary(c->path, &c->temporary, error);
+    return status ? status : kg_file_write(c->temporary, c->data, c->size, error);
+}
+
+/* Puts it in its place, or (`status`) takes it away. */
+static kg_status settle(companion *c, kg_status status, kg_error *error) {
+    if (c->temporary && status)
+        kg_file_discard(c->temporary);
+    else if (c->temporary)
+        status = kg_file_commit(c->temporary, c->path, error);
+    else if (c->path && !status)
+        status = kg_file_write(c->path, c->data, c->size, error);
+    free(c->temporary);
+    free(c->data);
+    return status;
 }
 
 /* Adds a remark about part `i`, which is pinned where it cannot be cut out. */
@@ -163,44 +184,45 @@ static kg_status check_pins(kg_document_net *net, const kg_net_layout *layout,
     return status;
 }
 
+static kg_status make_report(const kg_document_net *net, const kg_net_layout *layout,
+                             const kg_net_options *settings, companion *report, kg_error *error) {
+    int overlaps = 0;
+    kg_status status = kg_net_tab_overlaps(net->net, layout, settings, &overlaps, error);
+    if (!status)
+        status = kg_net_report(net->net, layout, net->remarks, net->remark_count, overlaps,
+                               &report->data, error);
+    if (!status)
+        report->size = strlen(report->data);
+    return status;
+}
+
 /* Writes the pages and what is to be beside them: all or nothing. */
 static kg_status write_files(const kg_document *document, kg_document_net *net,
                              const kg_net_options *settings, const outputs *out, kg_error *error) {
     kg_net_layout *layout = NULL;
-    char *guide = NULL, *report = NULL, *json = NULL;
+    companion report = {.path = out->report}, guide = {.path = out->guide};
     kg_status status = kg_net_layout_create(net->net, settings, NULL, &layout, error);
-    int overlaps = 0;
     if (!status)
         status = check_pins(net, layout, settings, error);
     if (!status && out->report)
-        status = kg_net_tab_overlaps(net->net, layout, settings, &overlaps, error);
-    if (!status && out->report)
-        status = kg_net_report(net->net, layout, net->remarks, net->remark_count, overlaps, &json,
-                               error);
-    if (!status && out->report)
-        status = write_beside(out->report, json, &report, error);
-    if (!status && out->guide)
-        status = kg_file_temporary(out->guide, &guide, error);
+        status = make_report(net, layout, settings, &report, error);
     if (!status && out->guide) {
         kg_language_use(out->language);
-        status = kg_guide_write(document, net, layout, settings, guide, NULL, error);
+        status = kg_guide_write_memory(document, net, layout, settings, NULL, &guide.data,
+                                       &guide.size, error);
         kg_language_use("en"); /* all else that the command line says */
     }
+    sigset_t before;
+    kg_signals_hold(&before);
+    if (!status)
+        status = prepare(&report, error);
+    if (!status)
+        status = prepare(&guide, error);
     if (!status)
         status = kg_net_draw(net->net, layout, settings, out->net, error);
-    if (!status && guide)
-        status = kg_file_commit(guide, out->guide, error);
-    if (!status && report)
-        status = kg_file_commit(report, out->report, error);
-    else if (!status && out->report)
-        status = kg_file_write(out->report, json, strlen(json), error);
-    if (status) {
-        kg_file_discard(guide);
-        kg_file_discard(report);
-    }
-    free(guide);
-    free(report);
-    free(json);
+    status = settle(&guide, status, error);
+    status = settle(&report, status, error);
+    kg_signals_release(&before);
     kg_net_layout_destroy(layout);
     return status;
 }

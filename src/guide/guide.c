@@ -111,9 +111,10 @@ static kg_status write_folds(kg_guide *guide, const kg_origami *origami, kg_erro
     return status ? status : kg_guide_folds(guide, origami, error);
 }
 
-kg_status kg_guide_write(const kg_document *document, const kg_document_net *net,
-                         const kg_net_layout *layout, const kg_net_options *options,
-                         const char *path, const kg_progress *progress, kg_error *error) {
+kg_status kg_guide_write_memory(const kg_document *document, const kg_document_net *net,
+                                const kg_net_layout *layout, const kg_net_options *options,
+                                const kg_progress *progress, char **out_data, size_t *out_size,
+                                kg_error *error) {
     kg_guide guide = {.net = net->net, .layout = layout, .options = options, .progress = progress};
     kg_status status = KG_OK;
     switch (kg_document_get_kind(document)) {
@@ -132,11 +133,28 @@ kg_status kg_guide_write(const kg_document *document, const kg_document_net *net
     }
     if (!status)
         status = kg_book_finish(guide.paper, error);
-    if (!status)
-        status = kg_file_write(path, guide.paper->bytes.items, guide.paper->bytes.count, error);
+    if (!status) {
+        *out_data = guide.paper->bytes.items;
+        *out_size = guide.paper->bytes.count;
+        guide.paper->bytes = (kg_bytes){0};
+    }
     kg_book_destroy(guide.paper);
     kg_stage_destroy(guide.stage);
     kg_guide_order_destroy(guide.order);
     kg_assembly_destroy(guide.assembly);
+    return status;
+}
+
+kg_status kg_guide_write(const kg_document *document, const kg_document_net *net,
+                         const kg_net_layout *layout, const kg_net_options *options,
+                         const char *path, const kg_progress *progress, kg_error *error) {
+    char *data;
+    size_t size;
+    kg_status status =
+        kg_guide_write_memory(document, net, layout, options, progress, &data, &size, error);
+    if (status)
+        return status;
+    status = kg_file_write(path, data, size, error);
+    free(data);
     return status;
 }

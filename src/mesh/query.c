@@ -10,6 +10,7 @@
 #include "katagami/mesh.h"
 
 #include "base/progress.h"
+#include "base/signals.h"
 
 #include <embree3/rtcore.h>
 
@@ -261,10 +262,13 @@ bool kg_mesh_query_closest(const kg_mesh_query *q, kg_vec3 point, kg_mesh_hit *o
 void kg_mesh_query_destroy(kg_mesh_query *q) {
     if (!q)
         return;
+    sigset_t before;
+    kg_signals_hold(&before); /* Embree may begin a thread that stays, here and when it builds */
     if (q->scene)
         rtcReleaseScene(q->scene);
     if (q->device)
         rtcReleaseDevice(q->device);
+    kg_signals_release(&before);
     free(q->corners);
     free(q->faces);
     free(q);
@@ -352,6 +356,14 @@ static kg_status build_tree(kg_mesh_query *q, const kg_progress *progress, kg_er
     return KG_OK;
 }
 
+static kg_status build_holding(kg_mesh_query *q, const kg_progress *progress, kg_error *error) {
+    sigset_t before;
+    kg_signals_hold(&before);
+    kg_status status = build_tree(q, progress, error);
+    kg_signals_release(&before);
+    return status;
+}
+
 kg_status kg_mesh_query_create(const kg_mesh *mesh, const kg_progress *progress,
                                kg_mesh_query **out_query, kg_error *error) {
     kg_mesh_query *q = calloc(1, sizeof *q);
@@ -363,7 +375,7 @@ kg_status kg_mesh_query_create(const kg_mesh *mesh, const kg_progress *progress,
     if (!status)
         status = kg_progress_tell(progress, COPYING_SHARE, "search tree", error);
     if (!status)
-        status = build_tree(q, progress, error);
+        status = build_holding(q, progress, error);
     if (status) {
         kg_mesh_query_destroy(q);
         return status;

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/phrase.h"
+#include "base/signals.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -49,6 +50,8 @@ static kg_status outputs_write(outputs *all, kg_error *error) {
         return kg_file_write(all->items[0].path, all->items[0].bytes.items,
                              all->items[0].bytes.count, error);
     kg_status status = KG_OK;
+    sigset_t before;
+    kg_signals_hold(&before);
     for (size_t i = 0; status == KG_OK && i < all->count; i++)
         status = output_prepare(&all->items[i], error);
     size_t moved = 0;
@@ -58,6 +61,7 @@ static kg_status outputs_write(outputs *all, kg_error *error) {
     }
     for (size_t i = 0; status != KG_OK && i < all->count; i++)
         kg_file_discard(i < moved ? all->items[i].path : all->items[i].temporary);
+    kg_signals_release(&before);
     return status;
 }
 
