@@ -37,12 +37,14 @@ static bool find_layers(kg_document *d, kg_layer_report *out) {
 void kg_paper_print(kg_document *d) {
     figures f = measure(d);
     kg_layer_report r;
-    printf("%s: %zu sheet%s, %zu folds, %zu faces, %zu pairs of layers on each other\n",
-           kg_document_title(d), f.sheets, f.sheets == 1 ? "" : "s", f.folds, f.faces, f.pairs);
+    const char *title = kg_document_title(d); /* patterns seldom have one */
+    printf("%s%s%zu sheet%s, %zu folds, %zu faces, %zu pairs of layers on each other\n", title,
+           *title ? ": " : "", f.sheets, f.sheets == 1 ? "" : "s", f.folds, f.faces, f.pairs);
     printf("mountain folds %.1f mm, valley folds %.1f mm\n", f.mountain, f.valley);
     if (find_layers(d, &r))
-        printf("the crease pattern folds flat in %s%g way%s: %zu independent choices\n",
-               r.exact ? "" : "at least ", r.states, r.states == 1 ? "" : "s", r.components);
+        printf("the layers of the crease pattern can lie in %s%g way%s: %zu independent choice%s\n",
+               r.exact ? "" : "at least ", r.states, r.states == 1 ? "" : "s", r.components,
+               r.components == 1 ? "" : "s");
 }
 
 json_t *kg_paper_json(kg_document *d) {

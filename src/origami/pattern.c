@@ -367,10 +367,18 @@ kg_status kg_pattern_state(kg_pattern *p, kg_origami_state **out_state, kg_error
         status = kg_state_add_faces(s, 0, &p->faces, error);
     for (size_t e = 0; e < s->edges.count && !status; e++) {
         int32_t a = kg_loop_of(s, (int32_t)(2 * e)), b = kg_loop_of(s, (int32_t)(2 * e + 1));
+        kg_vec3 from = s->vertices.items[s->halves.items[2 * e].origin].position,
+                to = s->vertices.items[s->halves.items[2 * e + 1].origin].position;
         if (a == b && a >= 0)
-            status = kg_fail(error, KG_ERR_INPUT, "edge %zu ends inside a face", e);
+            status = kg_fail(error, KG_ERR_INPUT,
+                             "the line from (%g, %g) to (%g, %g) ends inside a face: creases go on "
+                             "to other lines or to the border",
+                             from.x, from.y, to.x, to.y);
         if (a < 0 && b < 0)
-            status = kg_fail(error, KG_ERR_INPUT, "edge %zu lies outside the paper", e);
+            status = kg_fail(error, KG_ERR_INPUT,
+                             "the line from (%g, %g) to (%g, %g) lies outside the paper: the "
+                             "border has to go all around it",
+                             from.x, from.y, to.x, to.y);
         if ((a < 0) != (b < 0))
             s->edges.items[e] = (kg_paper_edge){KG_PAPER_BORDER, 0};
     }

@@ -100,6 +100,23 @@ static void select_sheet(kg_editor *e, size_t sheet) {
     kg_sheets_of(e)->sheet = (int32_t)sheet;
 }
 
+/* Selects the sheet that was added last; all are shown when it would not be seen whole. */
+static void show_new(kg_editor *e) {
+    const kg_origami *o = kg_editor_origami(e);
+    size_t index = kg_origami_sheet_count(o) - 1;
+    const kg_paper_sheet *sheet = kg_origami_sheet(o, index);
+    bool seen = true;
+    select_sheet(e, index);
+    for (size_t i = 0; i < sheet->count; i++) {
+        kg_vec2 px;
+        seen = seen &&
+               kg_pane_project(&e->pane, kg_v3(sheet->polygon[i].x, sheet->polygon[i].y, 0), &px) &&
+               kg_area_contains(e->pane.area, px);
+    }
+    if (!seen && e->pane.area.width > 1)
+        kg_pane_fit(&e->pane, kg_editor_box(e, false));
+}
+
 static kg_status add(kg_editor *e, const json_t *a, kg_error *error) {
     kg_vec2 *corners = NULL, at = kg_v2(0, 0);
     size_t count = 0;
@@ -118,7 +135,7 @@ static kg_status add(kg_editor *e, const json_t *a, kg_error *error) {
             e, kg_sheets_add(e, corners, count, placed ? &at : NULL, front, back, error));
     free(corners);
     if (!status)
-        select_sheet(e, kg_origami_sheet_count(kg_editor_origami(e)) - 1);
+        show_new(e);
     return status;
 }
 
@@ -136,7 +153,7 @@ static kg_status duplicate(kg_editor *e, const json_t *a, kg_error *error) {
     status =
         kg_editor_finish(e, kg_sheets_add(e, s->polygon, s->count, NULL, s->front, s->back, error));
     if (!status)
-        select_sheet(e, kg_origami_sheet_count(kg_editor_origami(e)) - 1);
+        show_new(e);
     return status;
 }
 

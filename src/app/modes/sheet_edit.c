@@ -79,6 +79,15 @@ kg_status kg_sheets_add(kg_editor *e, const kg_vec2 *corners, size_t count, cons
     return status;
 }
 
+kg_vec2 kg_sheet_span(const kg_origami *o, size_t sheet) {
+    const kg_origami_state *s = kg_origami_state_at(o, 0);
+    kg_box2 box = kg_box2_empty();
+    for (size_t i = 0; i < s->vertices.count; i++)
+        if ((size_t)s->vertices.items[i].sheet == sheet)
+            kg_box2_add(&box, s->vertices.items[i].paper);
+    return box.lo.x <= box.hi.x ? kg_sub2(box.hi, box.lo) : kg_v2(0, 0);
+}
+
 kg_vec2 kg_sheet_middle(const kg_paper_sheet *sheet) {
     kg_box2 box = kg_box2_empty();
     for (size_t i = 0; i < sheet->count; i++)

@@ -26,6 +26,8 @@ kg_status kg_sheets_place(kg_editor *editor, size_t sheet, const kg_paper_sheet 
 /* Puts a sheet at another place in the order; later ones lie on top. */
 kg_status kg_sheets_reorder(kg_editor *editor, size_t sheet, size_t to, kg_error *error) KG_CHECKED;
 
+/* Width and height of a sheet as it lies flat, whether the origami lists it or not. */
+kg_vec2 kg_sheet_span(const kg_origami *origami, size_t sheet);
 /* The middle of a sheet's bounds as it lies flat. */
 kg_vec2 kg_sheet_middle(const kg_paper_sheet *sheet);
 

@@ -49,6 +49,9 @@ static void row(kg_editor *e, size_t sheet) {
     snprintf(label, sizeof label, "%s %zu", _("sheet"), sheet + 1);
     if (kg_ui_selectable(label, on))
         s->sheet = on ? -1 : (int32_t)sheet;
+    kg_vec2 span = kg_sheet_span(kg_editor_origami(e), sheet);
+    snprintf(label, sizeof label, "%.4g × %.4g mm", span.x, span.y);
+    kg_ui_tooltip(label);
     kg_ui_disabled_begin(fixed);
     kg_ui_table_next();
     if ((pressed = button("raise", KG_ICON_DOWN, _("Raise sheet"))))

@@ -36,6 +36,7 @@ struct adapter {
     ImDrawList *canvas = nullptr;
     bool entered = false;
     int unsettled = 0;
+    int escaped = -1; /* the frame in which a list took Escape */
     void *clipboard_user = nullptr;
     const char *(*clipboard_get)(void *) = nullptr;
     void (*clipboard_set)(void *, const char *) = nullptr;

@@ -161,6 +161,11 @@ bool kg_ui_choice(const char *label, const char *const *items, int count, int *i
             changed = i != *index;
             *index = i;
         }
+    if (ImGui::IsKeyPressed(KG_KEY_ESCAPE)) {
+        ImGui::CloseCurrentPopup();
+        ui.escaped = ImGui::GetFrameCount();
+        ui.unsettled = 2;
+    }
     ImGui::EndCombo();
     return changed;
 }
@@ -274,8 +279,11 @@ void kg_ui_subject(int64_t subject) {
 bool kg_ui_mouse_held(void) {
     return ImGui::IsMouseDown(0);
 }
+/* An open list takes Escape from the dialog that it belongs to. */
 bool kg_ui_key_pressed(int key) {
-    return ImGui::IsKeyPressed(key);
+    bool taken = key == KG_KEY_ESCAPE && (ui.escaped == ImGui::GetFrameCount() ||
+                                          ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId));
+    return ImGui::IsKeyPressed(key) && !taken;
 }
 
 /* ---- canvas ----------------------------------------------------------------------------- */
