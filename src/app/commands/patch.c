@@ -123,7 +123,16 @@ static kg_status mirror(kg_editor *e, const json_t *a, kg_error *error) {
     if (!(kg_len(normal) > 0) || !isfinite(kg_len(normal)) || !isfinite(kg_len(point)))
         return kg_fail(error, KG_ERR_INPUT, "\"normal\" has to be a direction");
     kg_similarity map = kg_similarity_mirror(point, kg_unit(normal));
-    return copy_each(e, a, N_("Mirror"), &map, error);
+    status = copy_each(e, a, N_("Mirror"), &map, error);
+    if (!status && !a)
+        kg_editor_say(
+            e, KG_WARNING,
+            _("Mirrored across the plane %s = %.4g mm, which the panel sets under Tools."),
+            normal.x != 0   ? "x"
+            : normal.y != 0 ? "y"
+                            : "z",
+            e->mirror_place);
+    return status;
 }
 
 /* ---- properties ------------------------------------------------------------------------- */

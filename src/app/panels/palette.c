@@ -94,6 +94,8 @@ void kg_panel_palette(kg_app *app) {
         }
         kg_ui_table_end();
     }
+    if (count == 0)
+        kg_ui_text_dim(_("No command has these words."));
     kg_ui_child_end();
     if (run || kg_ui_key_pressed(KG_KEY_ESCAPE))
         kg_ui_popup_close();

@@ -146,6 +146,10 @@ void kg_extent_drag_hover(kg_editor *e, kg_vec2 px) {
         e->hover_patch = 0;
 }
 
+bool kg_extent_is_hovered(const kg_editor *e) {
+    return !e->hover_point.patch && handle_under(e, e->pointer) >= 0;
+}
+
 bool kg_extent_drag_start(kg_extent_drag *d, kg_editor *e, kg_vec2 px) {
     const kg_solved_patch *s = with_handles(e);
     int side = e->hover_point.patch ? -1 : handle_under(e, px);
@@ -177,9 +181,23 @@ void kg_extent_drag_move(kg_extent_drag *d, kg_editor *e, kg_vec2 px, unsigned m
     kg_editor_touch(e);
 }
 
+/* The middle ruling up to the handles, which otherwise float beside what trims have left. */
+static void draw_stem(const kg_patch *patch, kg_overlay *overlay) {
+    const kg_vec3 ends[] = {kg_patch_point(patch, patch->extent[0], 0.5),
+                            kg_patch_point(patch, patch->extent[1], 0.5)};
+    kg_style style = kg_style_default((kg_color){0.95F, 0.6F, 0.2F, 1});
+    style.size_px = 1;
+    style.dashes_px[0] = style.dashes_px[2] = 4;
+    style.dashes_px[1] = style.dashes_px[3] = 4;
+    style.hidden = 0.3F;
+    kg_overlay_line(overlay, ends, 2, style);
+}
+
 void kg_extent_drag_draw(const kg_editor *e, kg_overlay *overlay) {
     const kg_solved_patch *s = with_handles(e);
     int hovered = s ? handle_under(e, e->pointer) : -1;
+    if (s)
+        draw_stem(&s->patch, overlay);
     for (int side = 0; s && side < 2; side++) {
         kg_vec3 at = kg_patch_point(&s->patch, s->patch.extent[side], 0.5);
         kg_style style = kg_style_default(side == hovered ? (kg_color){1, 0.82F, 0.1F, 1}

@@ -43,6 +43,7 @@ bool kg_extent_drag_start(kg_extent_drag *drag, kg_editor *editor, kg_vec2 px);
 void kg_extent_drag_move(kg_extent_drag *drag, kg_editor *editor, kg_vec2 px, unsigned mods);
 /* Drops the hover of a patch where a handle is nearer. */
 void kg_extent_drag_hover(kg_editor *editor, kg_vec2 px);
+bool kg_extent_is_hovered(const kg_editor *editor);
 void kg_extent_drag_draw(const kg_editor *editor, kg_overlay *overlay);
 
 /* The edges of regression of the selected patches: beyond them the paper would fold back. */

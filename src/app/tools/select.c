@@ -271,6 +271,8 @@ static const char *hint_now(const kg_editor *e) {
         return _(
             "Drag the corner of the contour   Backspace: remove it   Ctrl+click on an edge: one "
             "more");
+    if (kg_extent_is_hovered(e))
+        return _("Drag the handle: how far the patch goes to this side");
     if (s && next_cutter(e, s) && !kg_cutter_preview_meets(&s->cutters, next_cutter(e, s)))
         return _("This patch does not meet the red one, so it cannot trim it.");
     if (e->selection.patches.count > 1)
