@@ -97,6 +97,29 @@ void kg_pane_fit(kg_pane *v, kg_box3 box) {
     if (box.lo.x <= box.hi.x && kg_dist(box.lo, box.hi) < LEAST_DISTANCE)
         box.hi = kg_add(box.hi, kg_v3(1, 1, 1));
     kg_camera_fit(&v->camera, box, v->area.width / fmax(v->area.height, 1));
+    v->framed = box;
+    v->fitted = v->camera;
+    v->size = kg_v2(v->area.width, v->area.height);
+}
+
+static double fitting_distance(const kg_pane *v, double width, double height) {
+    kg_camera camera = v->camera;
+    kg_camera_fit(&camera, v->framed, width / fmax(height, 1));
+    return camera.distance;
+}
+
+void kg_pane_keep_frame(kg_pane *v) {
+    kg_vec2 before = v->size;
+    double width = v->area.width, height = v->area.height;
+    if (width == before.x && height == before.y)
+        return;
+    v->size = kg_v2(width, height);
+    if (!(before.x > 1) || v->camera.distance != v->fitted.distance ||
+        kg_dist(v->camera.center, v->fitted.center) > 0)
+        return;
+    v->camera.distance *=
+        fitting_distance(v, width, height) / fitting_distance(v, before.x, before.y);
+    v->fitted = v->camera;
 }
 
 /* ---- the mouse -------------------------------------------------------------------------- */

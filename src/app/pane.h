@@ -16,7 +16,10 @@ typedef struct kg_pane {
     kg_pane_drag drag;
     int button; /* that drags */
     kg_vec2 pressed, last;
-    bool moved; /* farther than a click may */
+    bool moved;   /* farther than a click may */
+    kg_vec2 size; /* of the area, when it was last kept in frame */
+    kg_box3 framed;
+    kg_camera fitted; /* as that left it; panned or zoomed since, the box is framed no more */
 } kg_pane;
 
 /* A press that moves less is a click; layout units. */
@@ -51,5 +54,8 @@ double kg_pane_pixel_mm(const kg_pane *pane, kg_vec3 point);
 bool kg_pane_event(kg_pane *pane, const kg_event *event, kg_navigation navigation);
 
 void kg_pane_fit(kg_pane *pane, kg_box3 box);
+/* To be called when the area may have another size: what was fitted stays in frame, whichever way
+ * it was turned since; after panning or zooming only the middle stays. */
+void kg_pane_keep_frame(kg_pane *pane);
 
 #endif

@@ -13,6 +13,7 @@ void kg_panels_show(kg_app *app) {
     app->editor.pane.area =
         (kg_area){tools, floor(menu), fmax(floor(width - side - tools), 1), floor(middle)};
     kg_panel_net(app);
+    kg_pane_keep_frame(&app->editor.pane);
     kg_panel_handles(app);
     kg_panel_axes(app);
     kg_panel_toolbar(app, (kg_area){0, menu, tools, middle});
