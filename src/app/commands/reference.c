@@ -1,4 +1,5 @@
 /* Commands: the mesh that is sculpted over. */
+#include "app/commands/reference.h"
 #include "app/commands/arguments.h"
 #include "app/commands/commands.h"
 #include "app/text.h"
@@ -42,6 +43,21 @@ static kg_status set_reference_fields(kg_editor *e, const json_t *a, const char 
     return KG_OK;
 }
 
+static kg_status change_reference(kg_editor *e, const json_t *a, const char *file,
+                                  kg_error *error) {
+    kg_status status = kg_editor_begin(e, N_("Set reference"), error);
+    if (status)
+        return status;
+    status = kg_editor_finish(e, set_reference_fields(e, a, file, error));
+    if (!status)
+        kg_editor_load_reference(e);
+    return status;
+}
+
+kg_status kg_reference_set(kg_editor *e, const char *path, kg_error *error) {
+    return change_reference(e, NULL, path, error);
+}
+
 static kg_status set_reference(kg_editor *e, const json_t *a, kg_error *error) {
     const char *file = NULL;
     kg_mesh *mesh = NULL;
@@ -52,16 +68,10 @@ static kg_status set_reference(kg_editor *e, const json_t *a, kg_error *error) {
         e->request = KG_REQUEST_REFERENCE;
         return KG_OK;
     }
-    bool is_read = json_is_true(json_object_get(a, "checked")); /* by the app, on a thread */
-    if (file && !is_read && (status = kg_mesh_read(file, &mesh, error)))
+    if (file && (status = kg_mesh_read(file, &mesh, error)))
         return status; /* told of at once, nothing changed */
     kg_mesh_destroy(mesh);
-    if ((status = kg_editor_begin(e, N_("Set reference"), error)))
-        return status;
-    status = kg_editor_finish(e, set_reference_fields(e, a, file, error));
-    if (!status)
-        kg_editor_load_reference(e);
-    return status;
+    return change_reference(e, a, file, error);
 }
 
 static bool has_reference(const kg_editor *e) {

@@ -1,6 +1,7 @@
 /* Opening documents and references: small ones at once, large ones while a dialog shows. */
-#include "app/commands/commands.h"
+#include "app/commands/reference.h"
 #include "app/load_job.h"
+#include "app/mode.h"
 #include "app/panels/panels.h"
 #include "app/text.h"
 #include "base/array.h"
@@ -35,15 +36,16 @@ static kg_status take_document(kg_app *app, kg_document *document, const char *p
 
 /* Makes a mesh that was read the model's reference. */
 static kg_status set_reference(kg_app *app, const char *path, kg_error *error) {
-    json_t *arguments = json_pack("{s:s, s:b}", "file", path, "checked", 1);
-    const kg_model *model = kg_editor_model(&app->editor);
-    bool had = model && model->reference.file;
-    if (!arguments)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    kg_status status =
-        kg_command_run(kg_command_find("reference.set"), &app->editor, arguments, error);
+    kg_editor *e = &app->editor;
+    const kg_model *model = kg_editor_model(e);
+    if (!model)
+        return kg_fail(error, KG_ERR_INPUT, _("%s does nothing with a %s"), "reference.set",
+                       _(e->mode->title));
+    bool had = model->reference.file;
+    if (e->before) /* what a tool has begun gives way */
+        kg_editor_use_default(e);
+    kg_status status = kg_reference_set(e, path, error);
     app->framed = app->framed && (had || status);
-    json_decref(arguments);
     return status;
 }
 
