@@ -7,6 +7,7 @@
 #include "app/tools/corner.h"
 #include "app/tools/cutter.h"
 #include "app/tools/drag.h"
+#include "app/tools/gesture.h"
 #include "app/tools/gizmo.h"
 #include "app/tools/seam.h"
 #include "app/tools/tool.h"
@@ -91,7 +92,8 @@ static void click(kg_editor *e, state *s, kg_vec2 px, bool toggle) {
 
 /* ---- gestures --------------------------------------------------------------------------- */
 
-static void press(kg_editor *e, state *s, const kg_event *event) {
+static void press(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
     bool toggle = event->mods & KG_MOD_SHIFT;
     kg_error error;
     kg_gizmo_handle handle = kg_gizmo_under(e, event->position);
@@ -124,7 +126,8 @@ static void press(kg_editor *e, state *s, const kg_event *event) {
     }
 }
 
-static void move(kg_editor *e, state *s, const kg_event *event) {
+static void move(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
     switch (s->gesture) {
     case IDLE:
         hover(e, event->position);
@@ -148,7 +151,8 @@ static void move(kg_editor *e, state *s, const kg_event *event) {
     }
 }
 
-static void release(kg_editor *e, state *s, const kg_event *event) {
+static void release(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
     bool toggle = event->mods & KG_MOD_SHIFT;
     gesture ended = s->gesture;
     s->gesture = IDLE;
@@ -171,56 +175,38 @@ static void release(kg_editor *e, state *s, const kg_event *event) {
 }
 
 /* The menu is about the patch under the pointer, or the selection it belongs to. */
-static void open_menu(kg_editor *e, kg_vec2 px) {
+static void choose_for_menu(kg_editor *e, const kg_event *event) {
     kg_hit hit;
-    if (kg_editor_hits(e, px, &hit, 1) > 0 && !kg_editor_is_selected(e, hit.patch))
+    if (kg_editor_hits(e, event->position, &hit, 1) > 0 && !kg_editor_is_selected(e, hit.patch))
         kg_editor_select(e, hit.patch, false);
-    e->request = KG_REQUEST_MENU;
+}
+
+static bool key(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
+    kg_corner corner = s->gesture == IDLE && event->key == KG_KEY_BACKSPACE
+                           ? kg_corner_under(e, e->pointer)
+                           : (kg_corner){0};
+    if (s->gesture == DRAGGING_POINTS && event->key >= 'X' && event->key <= 'Z') {
+        kg_point_drag_lock(&s->drag, e, event->key - 'X');
+        return true;
+    }
+    if (corner.patch) {
+        kg_corner_remove(e, corner);
+        return true;
+    }
+    if (event->key == KG_KEY_ESCAPE && s->gesture == IDLE && !e->message[0]) {
+        kg_editor_select_none(e);
+        return true;
+    }
+    if (event->key == KG_KEY_ESCAPE)
+        e->message[0] = '\0';
+    return s->gesture != IDLE && event->key != KG_KEY_ESCAPE; /* one thing at a time */
 }
 
 static bool on_event(kg_editor *e, const kg_event *event) {
-    state *s = state_of(e);
-    if (!s)
-        return false;
-    switch (event->type) {
-    case KG_EVENT_PRESS:
-        if (event->button != KG_MOUSE_LEFT || s->gesture != IDLE)
-            return false;
-        e->message[0] = '\0';
-        press(e, s, event);
-        return true;
-    case KG_EVENT_MOVE:
-        move(e, s, event);
-        return true;
-    case KG_EVENT_RELEASE:
-        if (event->button == KG_MOUSE_RIGHT && s->gesture == IDLE) {
-            open_menu(e, event->position);
-            return true;
-        }
-        if (event->button != KG_MOUSE_LEFT || s->gesture == IDLE)
-            return false;
-        release(e, s, event);
-        return true;
-    case KG_EVENT_KEY:
-        if (s->gesture == DRAGGING_POINTS && event->key >= 'X' && event->key <= 'Z') {
-            kg_point_drag_lock(&s->drag, e, event->key - 'X');
-            return true;
-        }
-        if (event->key == KG_KEY_BACKSPACE && s->gesture == IDLE &&
-            kg_corner_under(e, e->pointer).patch) {
-            kg_corner_remove(e, kg_corner_under(e, e->pointer));
-            return true;
-        }
-        if (event->key == KG_KEY_ESCAPE && s->gesture == IDLE && !e->message[0]) {
-            kg_editor_select_none(e);
-            return true;
-        }
-        if (event->key == KG_KEY_ESCAPE)
-            e->message[0] = '\0';
-        return s->gesture != IDLE && event->key != KG_KEY_ESCAPE; /* one thing at a time */
-    default:
-        return false;
-    }
+    static const kg_gestures gestures = {press, move, release, choose_for_menu, key};
+    const state *s = state_of(e);
+    return s && kg_gestures_event(&gestures, e, event, s->gesture != IDLE);
 }
 
 /* With Shift, the patch that a click would make a cutter. */

@@ -3,6 +3,7 @@
 #include "app/modes/sheet_pick.h"
 #include "app/scenery.h"
 #include "app/text.h"
+#include "app/tools/gesture.h"
 #include "app/tools/tool.h"
 
 #include <stdlib.h>
@@ -125,7 +126,8 @@ static kg_vec2 snap(const kg_editor *e, kg_vec2 by) {
 
 /* ---- gestures ---------------------------------------------------------------------------- */
 
-static void press(kg_editor *e, state *s, const kg_event *event) {
+static void press(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
     kg_sheets *sheets = kg_sheets_of(e);
     kg_sheet_hit hit;
     kg_error error;
@@ -163,7 +165,8 @@ static double turning(const kg_editor *e, const state *s, kg_vec2 at, unsigned m
     return rests ? rest * KG_PI / 180 - first : turn;
 }
 
-static void move(kg_editor *e, state *s, const kg_event *event) {
+static void move(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
     kg_vec2 at;
     kg_error error;
     if (s->gesture == IDLE || !e->before || !in_plane(e, event->position, &at))
@@ -176,40 +179,27 @@ static void move(kg_editor *e, state *s, const kg_event *event) {
         kg_editor_say(e, KG_FAULT, "%s", error.message);
 }
 
-static bool on_event(kg_editor *e, const kg_event *event) {
-    state *s = state_of(e);
-    if (!s)
-        return false;
-    switch (event->type) {
-    case KG_EVENT_PRESS:
-        if (event->button != KG_MOUSE_LEFT || s->gesture != IDLE)
-            return false;
-        e->message[0] = '\0';
-        press(e, s, event);
-        return true;
-    case KG_EVENT_MOVE:
-        move(e, s, event);
-        return true;
-    case KG_EVENT_RELEASE:
-        if (event->button == KG_MOUSE_RIGHT && s->gesture == IDLE) {
-            e->request = KG_REQUEST_MENU;
-            return true;
-        }
-        if (event->button != KG_MOUSE_LEFT || s->gesture == IDLE)
-            return false;
+static void release(kg_editor *e, const kg_event *event) {
+    (void)event;
+    state *s = e->tool_state;
+    s->gesture = IDLE;
+    kg_editor_commit(e);
+}
+
+static bool key(kg_editor *e, const kg_event *event) {
+    state *s = e->tool_state;
+    bool busy = s->gesture != IDLE; /* one thing at a time */
+    if (busy && event->key == KG_KEY_ESCAPE) {
         s->gesture = IDLE;
-        kg_editor_commit(e);
-        return true;
-    case KG_EVENT_KEY:
-        if (event->key == KG_KEY_ESCAPE && s->gesture != IDLE) {
-            s->gesture = IDLE;
-            kg_editor_cancel(e);
-            return true;
-        }
-        return s->gesture != IDLE; /* one thing at a time */
-    default:
-        return false;
+        kg_editor_cancel(e);
     }
+    return busy;
+}
+
+static bool on_event(kg_editor *e, const kg_event *event) {
+    static const kg_gestures gestures = {press, move, release, NULL, key};
+    const state *s = state_of(e);
+    return s && kg_gestures_event(&gestures, e, event, s->gesture != IDLE);
 }
 
 static void draw(const kg_editor *e, kg_overlay *o) {
