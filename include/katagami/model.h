@@ -60,9 +60,13 @@ typedef struct kg_reference {
     struct json_t *json;
 } kg_reference;
 
-/* What the user wishes for all joins between two patches. */
+/* What the user wishes for all joins between two patches, or for one of them, which comes before
+ * that. One is named by a place near it in the coordinates of the first patch: they move along with
+ * the patch, and so does the join. */
 typedef struct kg_model_join {
     int64_t patches[2];
+    bool has_at;         /* only the join nearest to `at` */
+    kg_vec2 at;          /* x: u in mm, y: v, of patches[0] */
     kg_net_tab_side tab; /* THIS: on the part of patches[0] */
     double width;        /* mm; 0: the net's */
     kg_net_tab_shape shape;
@@ -104,8 +108,11 @@ KG_API kg_status kg_model_write_memory(const kg_model *model, char **out_text, s
 /* The patch with an id; NULL: none. */
 KG_API kg_model_patch *kg_model_find(const kg_model *model, int64_t id);
 
-/* The wish for joins between two patches, in either order; NULL: none. */
+/* The wish for all joins between two patches, in either order; NULL: none. */
 KG_API const kg_model_join *kg_model_find_join(const kg_model *model, int64_t a, int64_t b);
+/* The wish for the one of them that is named by just this place of the first; NULL: none. */
+KG_API const kg_model_join *kg_model_find_join_at(const kg_model *model, const int64_t patches[2],
+                                                  kg_vec2 at);
 
 /* ---- solution --------------------------------------------------------------------------- */
 

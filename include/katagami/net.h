@@ -67,6 +67,9 @@ typedef struct kg_net_side {
     bool reversed; /* side 1: runs against the direction of side 0 */
 } kg_net_side;
 
+/* Places by which the course of a join is known. */
+enum { KG_JOIN_PLACES = 9 };
+
 /* Where paper is glued to paper. Side 0 of a contact is the edge, side 1 the mark line. */
 typedef struct kg_net_join {
     kg_net_join_kind kind;
@@ -80,6 +83,11 @@ typedef struct kg_net_join {
     kg_net_tab_side tab_side; /* wish of the user */
     kg_net_tab_shape tab_shape;
     double tab_width; /* mm; 0: the net's */
+    /* Where it runs, evenly along it in the direction of side 0, and the place that names it, in
+     * the coordinates of the sources. The net has no use for them. */
+    kg_vec2 course[2][KG_JOIN_PLACES];
+    kg_vec2 at;  /* of sources[at_side] */
+    int at_side; /* 0 or 1 */
 } kg_net_join;
 
 typedef struct kg_net_loop {
@@ -150,6 +158,9 @@ KG_API kg_status kg_net_add_line(kg_net *net, size_t part, const kg_net_line *li
  * `out_join` (may be NULL). Errors: KG_ERR_MEMORY. */
 KG_API kg_status kg_net_add_join(kg_net *net, const kg_net_join *join, size_t *out_join,
                                  kg_error *error) KG_CHECKED;
+
+/* How many joins there are between what a join joins, itself included. */
+KG_API size_t kg_net_joins_beside(const kg_net *net, const kg_net_join *join);
 
 /* Looks for what no correct builder makes: numbers that are not finite, contours of fewer than
  * three points or the wrong direction, lines of fewer than two, indices out of range, names that

@@ -82,9 +82,9 @@ typedef struct kg_editor {
     kg_level level;
     kg_point_ref hover_point; /* patch 0: none */
     int64_t hover_patch;      /* 0: none; in whatever view it is hovered */
-    bool hover_seam_placed;   /* only the edge through the place below is meant, not all of them */
-    kg_vec3 hover_seam_place;
-    int64_t hover_seam[2]; /* patches that meet under the pointer, see tools/seam.h; 0: none */
+    int64_t hover_seam[2];    /* patches that meet under the pointer, see tools/seam.h; 0: none */
+    kg_vec3 hover_seam_place; /* a point of that seam */
+    kg_vec2 hover_seam_at;    /* the same in the coordinates of hover_seam[0] */
 
     kg_surfaces surfaces; /* of the patches as solved */
     kg_backdrop backdrop;

@@ -87,7 +87,7 @@ kg_status kg_script_expect(const kg_app *app, const char *w, kg_error *error) {
     const kg_editor *e = &app->editor;
     char title[512];
     if (kg_expect_begins(&w, "net"))
-        return kg_script_expect_net(&app->net_view, w, error);
+        return kg_script_expect_net(&app->net_view, &app->editor, w, error);
     if (kg_expect_begins(&w, "issues"))
         return expect_issues(e, w, false, error);
     if (kg_expect_begins(&w, "issue"))

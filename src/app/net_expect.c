@@ -24,7 +24,8 @@ static kg_status expect_place(const kg_net_view *v, const kg_net_picture *p, con
                           number, is.page, is.offset.x, is.offset.y, degrees);
 }
 
-kg_status kg_script_expect_net(const kg_net_view *v, const char *words, kg_error *error) {
+kg_status kg_script_expect_net(const kg_net_view *v, const kg_editor *e, const char *words,
+                               kg_error *error) {
     const kg_net_picture *p = kg_net_state_picture(v->state);
     char what[32] = "";
     int read = 0;
@@ -58,6 +59,11 @@ kg_status kg_script_expect_net(const kg_net_view *v, const char *words, kg_error
         return kg_expect_count(what,
                                v->hover_join < 0 ? 0 : (size_t)net->joins[v->hover_join].number,
                                words + read, error);
+    if (strcmp(what, "lit") == 0) { /* the same, also when the pointer is on it in the model */
+        int lit = kg_net_view_lit_join(v, e);
+        return kg_expect_count(what, lit < 0 ? 0 : (size_t)net->joins[lit].number, words + read,
+                               error);
+    }
     if (strcmp(what, "place") == 0)
         return expect_place(v, p, words + read, error);
     return kg_fail(error, KG_ERR_INPUT, "nothing is known about the net's \"%s\"", what);

@@ -139,12 +139,16 @@ static void hover(kg_net_view *v, kg_editor *e, kg_vec2 px) {
     e->hover_patch =
         v->hover_part >= 0 && kg_editor_model(e) ? part_of(v, v->hover_part)->source : 0;
     e->hover_seam[0] = e->hover_seam[1] = 0;
-    e->hover_seam_placed = false;
     if (v->hover_join < 0 || !kg_editor_model(e))
         return;
     const kg_net_join *join = &kg_net_state_picture(v->state)->net.net->joins[v->hover_join];
+    const kg_solved_patch *patch = kg_solution_find(kg_editor_solution(e), join->sources[0]);
+    if (!patch || !patch->prepared)
+        return;
     e->hover_seam[0] = join->sources[0];
     e->hover_seam[1] = join->sources[1];
+    e->hover_seam_at = join->course[0][KG_JOIN_PLACES / 2];
+    e->hover_seam_place = kg_patch_point(&patch->patch, e->hover_seam_at.x, e->hover_seam_at.y);
     if (e->hover_patch != join->sources[1])
         e->hover_patch = join->sources[0];
 }

@@ -1,5 +1,8 @@
 #include "app/net_view.h"
 
+#include "app/tools/seam.h"
+#include "katagami/unroll.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -321,4 +324,15 @@ int kg_net_view_join_at(const kg_net_view *v, kg_vec2 px) {
         }
     }
     return best;
+}
+
+int kg_net_view_lit_join(const kg_net_view *v, const kg_editor *e) {
+    const kg_net_picture *p = picture_of(v);
+    const int64_t *seam = e->hover_seam;
+    double distance;
+    if (v->hover_join >= 0 || !p || !kg_seam_is_hovered(e, seam[0], seam[1]))
+        return v->hover_join;
+    size_t join =
+        kg_net_nearest_join(p->net.net, kg_editor_solution(e), seam, e->hover_seam_at, &distance);
+    return join < p->net.net->join_count ? (int)join : -1;
 }

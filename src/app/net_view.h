@@ -46,6 +46,7 @@ typedef struct kg_net_view {
     bool open_menu;    /* of menu_part and menu_join, -1: none */
     int menu_part, menu_join;
     double menu_width; /* of tabs, while it is being chosen */
+    bool menu_all;     /* the menu is about all joins of the two patches */
     size_t listed;     /* warnings below the pages */
 } kg_net_view;
 
@@ -95,6 +96,8 @@ unsigned kg_net_view_clash(const kg_net_view *view, size_t part);
 int kg_net_view_part_at(const kg_net_view *view, kg_vec2 px);
 /* The join whose edge or number is there, the nearest first. */
 int kg_net_view_join_at(const kg_net_view *view, kg_vec2 px);
+/* The join under the pointer, be it here or in the model; -1: none. */
+int kg_net_view_lit_join(const kg_net_view *view, const kg_editor *editor);
 
 /* The points of a side of a join, in the coordinates of its part; false for a side in no part. */
 bool kg_net_side_points(const kg_net *net, const kg_net_side *side, size_t index, kg_vec2 *out);

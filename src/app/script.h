@@ -16,7 +16,7 @@ kg_status kg_script_run(kg_app *app, const char *path, kg_shot_fn shot, void *us
                         kg_error *error) KG_CHECKED;
 
 /* An assertion about the net view, the words after "expect net". */
-kg_status kg_script_expect_net(const kg_net_view *view, const char *words,
+kg_status kg_script_expect_net(const kg_net_view *view, const kg_editor *editor, const char *words,
                                kg_error *error) KG_CHECKED;
 
 /* One assertion, the words after "expect". */

@@ -102,16 +102,11 @@ static kg_status add_tabs(kg_document_net *net, const kg_unrolled *unrolled, dou
 /* ---- merging ---------------------------------------------------------------------------- */
 
 /* Which joins the model wants to be folds. */
-static bool *merge_wishes(const kg_model *model, const kg_net *net) {
-    bool *wanted = calloc(net->join_count + 1, sizeof *wanted);
-    for (size_t i = 0; i < net->join_count && wanted; i++)
-        for (size_t k = 0; k < model->join_count; k++) {
-            const kg_model_join *j = &model->joins[k];
-            const int64_t *s = net->joins[i].sources;
-            if (j->merge && ((j->patches[0] == s[0] && j->patches[1] == s[1]) ||
-                             (j->patches[0] == s[1] && j->patches[1] == s[0])))
-                wanted[i] = true;
-        }
+static bool *merge_wishes(const kg_model *model, const kg_unrolled *unrolled) {
+    bool *wanted = calloc(unrolled->net->join_count + 1, sizeof *wanted);
+    for (size_t i = 0; i < unrolled->net->join_count && wanted; i++)
+        wanted[i] =
+            unrolled->wishes[i] < model->join_count && model->joins[unrolled->wishes[i]].merge;
     return wanted;
 }
 
@@ -122,7 +117,7 @@ static kg_status merge_parts(kg_document_net *net, const kg_model *model, kg_unr
         N_("one part is seen from its front, the other from its back (flip one of them)"),
         N_("the parts would lie on each other"), N_("the whole would not fit the page"),
         N_("both of its sides belong to one part already")};
-    bool *wanted = merge_wishes(model, unrolled->net);
+    bool *wanted = merge_wishes(model, unrolled);
     if (!wanted)
         return KG_ERR_MEMORY;
     kg_merge_options merging = {options->merge, wanted, options->room, unrolled->bends};
@@ -138,6 +133,35 @@ static kg_status merge_parts(kg_document_net *net, const kg_model *model, kg_unr
     free(report.remarks);
     free(wanted);
     return status;
+}
+
+/* ---- wishes ----------------------------------------------------------------------------- */
+
+/* Whether a wish for one join holds for any. */
+static bool is_met(const kg_unrolled *unrolled, size_t wish) {
+    for (size_t i = 0; i < unrolled->net->join_count; i++)
+        if (unrolled->wishes[i] == wish)
+            return true;
+    return false;
+}
+
+/* Names wishes for single joins that are for none: patches that were drawn apart, or are gone. They
+ * stay in the model. */
+static kg_status name_idle_wishes(kg_document_net *net, const kg_model *model,
+                                  const kg_unrolled *unrolled) {
+    for (size_t i = 0; i < model->join_count; i++) {
+        const kg_model_join *j = &model->joins[i];
+        char message[KG_ERROR_SIZE / 2];
+        if (!j->has_at || is_met(unrolled, i))
+            continue;
+        kg_phrase_print(message, sizeof message,
+                        "no join with patch %lld is left for the wish at %g mm, %g",
+                        (long long)j->patches[1], j->at.x, j->at.y);
+        kg_status status = add_remark(net, j->patches[0], "join-wish", message);
+        if (status)
+            return status;
+    }
+    return KG_OK;
 }
 
 /* ---- the whole -------------------------------------------------------------------------- */
@@ -171,6 +195,8 @@ kg_status kg_document_unroll_to_fit(const kg_document *d, const kg_parts_options
         const kg_issue *issue = kg_document_issue(d, i);
         status = add_remark(&net, issue->patch, issue->code, issue->message);
     }
+    if (!status)
+        status = name_idle_wishes(&net, d->model, unrolled);
     if (!status)
         status = merge_parts(&net, d->model, unrolled, &inner, error);
     if (!status && options->tab_width > 0) {

@@ -205,6 +205,9 @@ kg_status kg_model_transform_patch(kg_model *m, int64_t id, const kg_similarity 
         for (size_t i = 0; i < op->contour_count; i++)
             op->contour[i].x *= side;
     }
+    for (size_t i = 0; i < m->join_count; i++)
+        if (m->joins[i].patches[0] == id)
+            m->joins[i].at.x *= side;
     return KG_OK;
 }
 
@@ -328,6 +331,7 @@ bool kg_model_patch_equal(const kg_model_patch *a, const kg_model_patch *b) {
 
 static bool same_join(const kg_model_join *a, const kg_model_join *b) {
     return a->patches[0] == b->patches[0] && a->patches[1] == b->patches[1] && a->tab == b->tab &&
+           a->has_at == b->has_at && (!a->has_at || same_bytes(&a->at, &b->at, 1, sizeof a->at)) &&
            a->width == b->width && a->shape == b->shape && a->merge == b->merge &&
            same_json(a->json, b->json);
 }

@@ -20,11 +20,11 @@ kg_status kg_model_remove_patch(kg_model *model, int64_t id, kg_error *error) KG
 kg_status kg_model_duplicate_patch(kg_model *model, int64_t id, int64_t *out_id,
                                    kg_error *error) KG_CHECKED;
 
-/* Turns and moves a patch, x -> scale * R x + offset, with its extent, its contours and the places
- * its trims keep. `rotation`: row-major, orthonormal, determinant 1 or -1. Mirrored, the rulings
- * run the other way (D, see kg_curve_darboux, changes its sign against the mirrored one), so
- * extent and contours change sign in u, and the front stays the image of the front. KG_ERR_INPUT:
- * scale not positive, results not finite or out of the model's range. */
+/* Turns and moves a patch, x -> scale * R x + offset, with its extent, its contours, the places its
+ * trims keep and those that name joins. `rotation`: row-major, orthonormal, determinant 1 or -1.
+ * Mirrored, the rulings run the other way (D, see kg_curve_darboux, changes its sign against the
+ * mirrored one), so extent and contours change sign in u, and the front stays the image of the
+ * front. KG_ERR_INPUT: scale not positive, results not finite or out of the model's range. */
 typedef struct kg_similarity {
     double rotation[9];
     double scale;

@@ -333,6 +333,20 @@ static kg_status read_reference(kg_reader *r, const json_t *root, kg_reference *
     return status;
 }
 
+static kg_status read_join_place(kg_reader *r, const json_t *v, kg_model_join *join) {
+    double at[2];
+    if (!v)
+        return KG_OK;
+    kg_read_enter(r, "at", 0);
+    kg_status status = kg_read_numbers(r, v, 2, at);
+    kg_read_leave(r);
+    if (!status) {
+        join->has_at = true;
+        join->at = kg_v2(at[0], at[1]);
+    }
+    return status;
+}
+
 static kg_status read_join(kg_reader *r, const json_t *v, kg_model_join *join) {
     const json_t *pair = json_object_get(v, "patches");
     size_t tab = 0, shape = 0;
@@ -351,6 +365,8 @@ static kg_status read_join(kg_reader *r, const json_t *v, kg_model_join *join) {
         status = kg_read_double(r, v, "width", &join->width);
     if (!status && json_object_get(v, "width") && !(join->width > 0))
         status = kg_read_fail(r, "\"width\" is a length above 0");
+    if (!status)
+        status = read_join_place(r, json_object_get(v, "at"), join);
     join->tab = (kg_net_tab_side)tab;
     join->shape = (kg_net_tab_shape)shape;
     return status;

@@ -91,6 +91,7 @@ static json_t *write_join(const kg_model_join *join) {
         o &&
         kg_write(o, "patches",
                  json_pack("[I,I]", (json_int_t)join->patches[0], (json_int_t)join->patches[1])) &&
+        kg_write_if(o, "at", join->has_at, numbers(&join->at.x, 2)) &&
         kg_write_unless(o, "tab", join->tab == KG_TAB_AUTO,
                         json_string(kg_net_tab_side_names[join->tab])) &&
         kg_write_unless(o, "shape", join->shape == KG_TAB_SHAPE_AUTO,

@@ -137,8 +137,19 @@ kg_model_patch *kg_model_find(const kg_model *model, int64_t id) {
 const kg_model_join *kg_model_find_join(const kg_model *model, int64_t a, int64_t b) {
     for (size_t i = 0; i < model->join_count; i++) {
         const int64_t *p = model->joins[i].patches;
-        if ((p[0] == a && p[1] == b) || (p[0] == b && p[1] == a))
+        if (!model->joins[i].has_at && ((p[0] == a && p[1] == b) || (p[0] == b && p[1] == a)))
             return &model->joins[i];
+    }
+    return NULL;
+}
+
+const kg_model_join *kg_model_find_join_at(const kg_model *model, const int64_t patches[2],
+                                           kg_vec2 at) {
+    for (size_t i = 0; i < model->join_count; i++) {
+        const kg_model_join *j = &model->joins[i];
+        if (j->has_at && j->patches[0] == patches[0] && j->patches[1] == patches[1] &&
+            j->at.x == at.x && j->at.y == at.y)
+            return j;
     }
     return NULL;
 }

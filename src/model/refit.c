@@ -69,7 +69,12 @@ static kg_status add_trims(const kg_model *model, const kg_solution *solution,
 
 /* ---- the same patch on a part of its geodesic --------------------------------------------- */
 
-static kg_status remap(const kg_patch *old, span s, kg_model_patch *m, kg_error *error) {
+static kg_vec2 remapped(kg_vec2 at, span s, double sign) {
+    return kg_v2(sign * at.x, (at.y - s.lo) / (s.hi - s.lo));
+}
+
+static kg_status remap(const kg_patch *old, span s, kg_model *model, int64_t id, kg_error *error) {
+    kg_model_patch *m = kg_model_find(model, id);
     kg_patch_input in = m->input;
     double middle = 0.5 * (s.lo + s.hi);
     kg_vec3 d = kg_patch_ruling(old, middle).d;
@@ -94,14 +99,20 @@ static kg_status remap(const kg_patch *old, span s, kg_model_patch *m, kg_error 
     for (size_t n = 0; n < m->trim_count; n++)
         for (size_t i = 0; i < m->trims[n].contour_count; i++) {
             kg_vec2 *c = &m->trims[n].contour[i];
-            c->x *= sign;
-            c->y = (c->y - s.lo) / (s.hi - s.lo);
+            *c = remapped(*c, s, sign);
             if (!(fabs(c->y) <= KG_MAX_COORDINATE))
                 return kg_fail(error, KG_ERR_INPUT,
                                "a contour of patch %lld reaches too far beyond it; bring its "
                                "corners nearer",
                                (long long)m->id);
         }
+    for (size_t i = 0; i < model->join_count; i++) {
+        kg_model_join *j = &model->joins[i];
+        if (j->has_at && j->patches[0] == id) { /* a hint, so one far off may be brought nearer */
+            j->at = remapped(j->at, s, sign);
+            j->at.y = fmin(fmax(j->at.y, -1), 2);
+        }
+    }
     return KG_OK;
 }
 
@@ -152,7 +163,7 @@ static kg_status try_span(kg_model *model, const kg_solution *solution,
     kg_model *copy = kg_model_copy(model);
     if (!copy)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    kg_status status = remap(&patch->patch, s, kg_model_find(copy, patch->id), error);
+    kg_status status = remap(&patch->patch, s, copy, patch->id, error);
     if (!status)
         status = check_same(copy, solution, patch->id, out_done, error);
     if (!status && *out_done)

@@ -132,6 +132,16 @@ kg_status kg_net_add_join(kg_net *net, const kg_net_join *join, size_t *out_join
     return KG_OK;
 }
 
+size_t kg_net_joins_beside(const kg_net *net, const kg_net_join *join) {
+    const int64_t *a = join->sources;
+    size_t count = 0;
+    for (size_t i = 0; i < net->join_count; i++) {
+        const int64_t *b = net->joins[i].sources;
+        count += (a[0] == b[0] && a[1] == b[1]) || (a[0] == b[1] && a[1] == b[0]);
+    }
+    return count;
+}
+
 /* Twice the signed area of a closed polyline. */
 static double shoelace(const kg_net_line *line) {
     double sum = 0;

@@ -16,11 +16,16 @@ static json_t *part_report(const kg_net_part *part, int page) {
                      "isometry_error", number(part->isometry_error), "page", page);
 }
 
-static json_t *seam_report(const kg_net_join *join) {
-    return json_pack("{s:s, s:[I,I], s:[o,o]}", "kind",
+/* Of several it says which one it is. */
+static json_t *seam_report(const kg_net *net, const kg_net_join *join) {
+    kg_vec2 middle = join->course[0][KG_JOIN_PLACES / 2];
+    json_t *at = kg_net_joins_beside(net, join) > 1
+                     ? json_pack("[o,o]", number(middle.x), number(middle.y))
+                     : NULL;
+    return json_pack("{s:s, s:[I,I], s:[o,o], s:o*}", "kind",
                      join->kind == KG_JOIN_SEAM ? "seam" : "contact", "patches",
                      (json_int_t)join->sources[0], (json_int_t)join->sources[1], "length_mm",
-                     number(join->sides[0].length), number(join->sides[1].length));
+                     number(join->sides[0].length), number(join->sides[1].length), "at", at);
 }
 
 static json_t *warning_report(const kg_net_warning *warning) {
@@ -49,7 +54,7 @@ static json_t *report(const kg_net *net, const kg_net_layout *layout,
         failed = json_array_append_new(
             parts, part_report(&net->parts[i], layout ? layout->placements[i].page + 1 : 0));
     for (size_t i = 0; !failed && i < net->join_count; i++)
-        failed = json_array_append_new(seams, seam_report(&net->joins[i]));
+        failed = json_array_append_new(seams, seam_report(net, &net->joins[i]));
     for (size_t i = 0; !failed && i < warning_count; i++)
         failed = json_array_append_new(remarks, warning_report(&warnings[i]));
     if (failed) {

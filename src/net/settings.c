@@ -160,3 +160,7 @@ kg_status kg_net_settings_options(const kg_net_settings *s, kg_net_options *out_
     *out_options = o;
     return KG_OK;
 }
+
+kg_net_tab_side kg_net_tab_turned(kg_net_tab_side side) {
+    return side == KG_TAB_THIS ? KG_TAB_OTHER : side == KG_TAB_OTHER ? KG_TAB_THIS : side;
+}

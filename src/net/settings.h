@@ -29,4 +29,7 @@ extern const char *const kg_net_preset_names[];
 extern const char *const kg_net_tab_side_names[];
 extern const char *const kg_net_tab_shape_names[];
 
+/* A wish for the side of tabs as seen from the other end of the join. */
+kg_net_tab_side kg_net_tab_turned(kg_net_tab_side side);
+
 #endif

@@ -1,5 +1,7 @@
 #include "katagami/unroll.h"
 
+#include "net/settings.h"
+#include "unroll/course.h"
 #include "unroll/fold.h"
 #include "unroll/outline.h"
 #include "unroll/stretch.h"
@@ -130,21 +132,31 @@ static kg_status join_mark(const kg_pieces *all, const kg_stretch *s, kg_net *ne
     return status;
 }
 
-/* What the user wishes for the joins of these patches. */
-static void apply_wish(const kg_model *model, kg_net_join *join) {
-    const kg_model_join *wish = kg_model_find_join(model, join->sources[0], join->sources[1]);
-    if (!wish)
-        return;
-    kg_net_tab_side tab = wish->tab;
-    if (wish->patches[0] != join->sources[0] && tab >= KG_TAB_THIS)
-        tab = tab == KG_TAB_THIS ? KG_TAB_OTHER : KG_TAB_THIS;
-    join->tab_side = tab;
+/* What the user wishes for a join. */
+static void apply_wish(const kg_model_join *wish, kg_net_join *join) {
+    bool turned = wish->patches[0] != join->sources[0];
+    join->tab_side = turned ? kg_net_tab_turned(wish->tab) : wish->tab;
     join->tab_shape = wish->shape;
     join->tab_width = wish->width;
+    if (wish->has_at) {
+        join->at_side = wish->patches[0] != join->sources[0];
+        join->at = wish->at;
+    }
 }
 
-static kg_status add_join(const kg_model *model, const kg_pieces *all, size_t index,
-                          kg_unrolled *out, kg_error *error) {
+static kg_status apply_wishes(const kg_model *model, const kg_solution *solution,
+                              kg_unrolled *out) {
+    out->wishes = calloc(out->net->join_count + 1, sizeof *out->wishes);
+    if (!out->wishes)
+        return KG_ERR_MEMORY;
+    kg_unroll_wishes(model, solution, out->net, out->wishes);
+    for (size_t i = 0; i < out->net->join_count; i++)
+        if (out->wishes[i] < model->join_count)
+            apply_wish(&model->joins[out->wishes[i]], &out->net->joins[i]);
+    return KG_OK;
+}
+
+static kg_status add_join(const kg_pieces *all, size_t index, kg_unrolled *out, kg_error *error) {
     const kg_stretch *s = &all->stretches[index];
     size_t number = out->net->join_count;
     if (s->single || (s->mate < index && all->stretches[s->mate].mate == index))
@@ -153,7 +165,7 @@ static kg_status add_join(const kg_model *model, const kg_pieces *all, size_t in
         .sides = {outline_side(s), {0}},
         .sources = {all->items[s->edge.piece].patch->id, all->items[s->partner.piece].patch->id},
         .fold = {kg_stretch_fold(all, index), 0}};
-    apply_wish(model, &join);
+    kg_course_of_stretch(all, s, &join);
     double **bends = &out->bends[2 * number];
     kg_status status = kg_stretch_bends(all, index, &bends[0]);
     if (!status)
@@ -190,8 +202,10 @@ kg_status kg_unroll_to_fit(const kg_model *model, const kg_solution *solution, k
         status = out->bends && out->net->title ? KG_OK : KG_ERR_MEMORY;
     }
     for (size_t i = 0; i < all.stretch_count && !status; i++)
-        status = add_join(model, &all, i, out, error);
+        status = add_join(&all, i, out, error);
     kg_pieces_clear(&all);
+    if (!status)
+        status = apply_wishes(model, solution, out);
     if (status) {
         kg_unrolled_destroy(out);
         return kg_fail(error, status, "out of memory");
@@ -206,6 +220,7 @@ void kg_unrolled_destroy(kg_unrolled *unrolled) {
     for (size_t i = 0; i < unrolled->bend_count && unrolled->bends; i++)
         free(unrolled->bends[i]);
     free(unrolled->bends);
+    free(unrolled->wishes);
     kg_net_destroy(unrolled->net);
     free(unrolled);
 }

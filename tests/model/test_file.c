@@ -20,7 +20,8 @@ static const char FULL[] =
     "  \"net\": {\"paper\": \"A3\", \"margin\": 9, \"scale\": 2, \"tab_width\": 4.5,\n"
     "    \"joins\": [{\"patches\": [3, 1], \"tab\": \"other\", \"width\": 3, \"shape\": "
     "\"teeth\",\n"
-    "      \"merge\": true, \"x-join\": 0}, {\"patches\": [1, 2]}], \"x-net\": []},\n"
+    "      \"merge\": true, \"x-join\": 0}, {\"patches\": [2, 1], \"at\": [-4.25, 0.5], \"tab\":\n"
+    "      \"none\"}, {\"patches\": [1, 2]}], \"x-net\": []},\n"
     "  \"history\": [{\"undo\": 1}],\n"
     "  \"patches\": [\n"
     "    {\"id\": 1, \"name\": \"背中\", \"points\": [[0,0,0],[40,5,20],[80,-10,20],[120,0,0.1]],\n"
@@ -69,7 +70,7 @@ static void every_member_is_read(void **state) {
     assert_near(m->net.margin, 9, 0);
     assert_near(m->net.scale, 2, 0);
     assert_near(m->net.tab_width, 4.5, 0);
-    assert_int_equal(m->join_count, 2);
+    assert_int_equal(m->join_count, 3);
     const kg_model_join *join = kg_model_find_join(m, 1, 3);
     assert_ptr_equal(join, &m->joins[0]);
     assert_int_equal(join->tab, KG_TAB_OTHER);
@@ -77,6 +78,11 @@ static void every_member_is_read(void **state) {
     assert_near(join->width, 3, 0);
     assert_true(join->merge);
     assert_int_equal(kg_model_find_join(m, 2, 1)->tab, KG_TAB_AUTO);
+    const int64_t pair[2] = {2, 1}, other[2] = {1, 2};
+    assert_ptr_equal(kg_model_find_join_at(m, pair, kg_v2(-4.25, 0.5)), &m->joins[1]);
+    assert_null(kg_model_find_join_at(m, pair, kg_v2(-4.25, 0.25)));
+    assert_null(kg_model_find_join_at(m, other, kg_v2(-4.25, 0.5)));
+    assert_true(!m->joins[0].has_at && !m->joins[2].has_at);
     assert_null(kg_model_find_join(m, 2, 3));
     assert_int_equal(m->patch_count, 3);
     const kg_model_patch *p = &m->patches[0];
@@ -285,6 +291,8 @@ static const struct refusal {
     {HEAD "\"net\": {\"joins\": [{\"patches\": [1, 2],\n\"tab\": 1}]}}",
      "m:3:", "\"none\", \"this\""},
     {HEAD "\"net\": {\"joins\": [{\"patches\": [1, 2],\n\"width\": 0}]}}", "m:2:", "above 0"},
+    {HEAD "\"net\": {\"joins\": [{\"patches\": [1, 2],\n\"at\": [1]}]}}", "m:3:", "2 numbers"},
+    {HEAD "\"net\": {\"joins\": [{\"patches\": [1, 2],\n\"at\": [1, 1e9]}]}}", "m:3:", "1e+06"},
     {HEAD "\"net\": {\n\"margin\": \"8\"}}", "m:3:", "number"},
 };
 

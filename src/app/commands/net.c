@@ -138,31 +138,40 @@ static kg_status read_word(const json_t *a, const char *name, const char *const 
     return kg_fail(error, KG_ERR_INPUT, "\"%s\" cannot be \"%s\"", name, text);
 }
 
-/* The wish for a pair of patches, added when there is none. */
-static kg_model_join *join_of(kg_model *model, const int64_t patches[2]) {
-    const kg_model_join *found = kg_model_find_join(model, patches[0], patches[1]);
+/* The wish for a pair of patches, or for their join at a place of the first, added when there is
+ * none; a new one for a single join begins as what was wished for all. */
+static kg_model_join *join_of(kg_model *model, const int64_t patches[2], const kg_vec2 *at) {
+    const kg_model_join *all = kg_model_find_join(model, patches[0], patches[1]);
+    const kg_model_join *found = at ? kg_model_find_join_at(model, patches, *at) : all;
     if (found)
         return &model->joins[found - model->joins];
+    kg_model_join wish = all ? *all : (kg_model_join){0};
+    if (all && all->patches[0] != patches[0])
+        wish.tab = kg_net_tab_turned(wish.tab);
+    wish.patches[0] = patches[0];
+    wish.patches[1] = patches[1];
+    wish.json = NULL;
+    if (at) {
+        wish.has_at = true;
+        wish.at = *at;
+    }
     kg_model_join *more = realloc(model->joins, (model->join_count + 1) * sizeof *more);
     if (!more)
         return NULL;
     model->joins = more;
-    more[model->join_count] = (kg_model_join){.patches = {patches[0], patches[1]}};
+    more[model->join_count] = wish;
     return &more[model->join_count++];
 }
 
-static kg_status change_join(kg_model *model, const int64_t patches[2], const json_t *a,
-                             kg_error *error) {
-    kg_model_join *join = join_of(model, patches);
-    if (!join)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+static kg_status change_join(kg_model *model, kg_model_join *join, const int64_t patches[2],
+                             const json_t *a, kg_error *error) {
     bool turned = join->patches[0] != patches[0]; /* the model names them the other way round */
     int tab = (int)join->tab, shape = (int)join->shape;
     double width = join->width;
     bool merge = join->merge;
     kg_status status = read_word(a, "tab", kg_net_tab_side_names, 4, &tab, error);
-    if (!status && turned && json_object_get(a, "tab") && tab >= KG_TAB_THIS)
-        tab = KG_TAB_THIS + KG_TAB_OTHER - tab;
+    if (!status && turned && json_object_get(a, "tab"))
+        tab = (int)kg_net_tab_turned((kg_net_tab_side)tab);
     if (!status)
         status = read_word(a, "shape", kg_net_tab_shape_names, 3, &shape, error);
     if (!status)
@@ -177,9 +186,28 @@ static kg_status change_join(kg_model *model, const int64_t patches[2], const js
     join->shape = (kg_net_tab_shape)shape;
     join->width = width;
     join->merge = merge;
-    if (tab == KG_TAB_AUTO && shape == KG_TAB_SHAPE_AUTO && width == 0 && !merge && !join->json)
+    bool plain = tab == KG_TAB_AUTO && shape == KG_TAB_SHAPE_AUTO && width == 0 && !merge;
+    if (plain && !join->json &&
+        !(join->has_at && kg_model_find_join(model, patches[0], patches[1])))
         *join = model->joins[--model->join_count]; /* nothing is wished for */
     return KG_OK;
+}
+
+/* What is wished for all joins of two patches also is for those that have wishes of their own. */
+static kg_status change_joins(kg_model *model, const int64_t patches[2], const kg_vec2 *at,
+                              const json_t *a, kg_error *error) {
+    kg_status status = KG_OK;
+    for (size_t i = model->join_count; i-- > 0 && !at && !status;) {
+        kg_model_join *j = &model->joins[i];
+        bool pair = (j->patches[0] == patches[0] && j->patches[1] == patches[1]) ||
+                    (j->patches[0] == patches[1] && j->patches[1] == patches[0]);
+        if (pair && j->has_at)
+            status = change_join(model, j, patches, a, error);
+    }
+    kg_model_join *join = status ? NULL : join_of(model, patches, at);
+    if (!status && !join)
+        status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    return status ? status : change_join(model, join, patches, a, error);
 }
 
 static kg_status set_join(kg_editor *e, const json_t *a, kg_error *error) {
@@ -188,6 +216,11 @@ static kg_status set_join(kg_editor *e, const json_t *a, kg_error *error) {
     if (json_unpack((json_t *)(uintptr_t)json_object_get(a, "patches"), "[II]", &ids[0], &ids[1]))
         return kg_fail(error, KG_ERR_INPUT, "\"patches\" has to be two patches");
     const int64_t patches[2] = {ids[0], ids[1]};
+    const json_t *place = json_object_get(a, "at");
+    kg_vec2 at = {0, 0};
+    if (place && (json_unpack((json_t *)(uintptr_t)place, "[FF]", &at.x, &at.y) ||
+                  !(fabs(at.x) <= KG_MAX_COORDINATE && fabs(at.y) <= KG_MAX_COORDINATE)))
+        return kg_fail(error, KG_ERR_INPUT, "\"at\" has to be [u, v] on the first patch");
     for (int i = 0; i < 2; i++)
         if (!kg_model_find(m, patches[i]))
             return kg_fail(error, KG_ERR_INPUT, "there is no patch %lld", (long long)patches[i]);
@@ -195,7 +228,7 @@ static kg_status set_join(kg_editor *e, const json_t *a, kg_error *error) {
     if (status)
         return status;
     kg_editor_touch(e);
-    return kg_editor_finish(e, change_join(m, patches, a, error));
+    return kg_editor_finish(e, change_joins(m, patches, place ? &at : NULL, a, error));
 }
 
 /* ---- the view --------------------------------------------------------------------------- */

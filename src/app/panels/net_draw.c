@@ -3,7 +3,6 @@
 #include "app/mode.h"
 #include "app/panels/net_fill.h"
 #include "app/scenery.h"
-#include "app/tools/seam.h"
 #include "app/ui/ui.h"
 #include "base/array.h"
 #include "net/clash.h"
@@ -253,18 +252,6 @@ static void draw_join(const kg_net_view *v, const kg_net_join *join, kg_polyline
     }
 }
 
-/* The join under the pointer, or those of the two patches that meet under it in the model. */
-static void draw_hovered_joins(const kg_net_view *v, const kg_editor *e, kg_polyline *line) {
-    const kg_net *net = kg_net_state_picture(v->state)->net.net;
-    for (size_t i = 0; i < net->join_count; i++) {
-        const kg_net_join *join = &net->joins[i];
-        bool lit_here = v->hover_join == (int)i;
-        if (lit_here ||
-            (v->hover_join < 0 && kg_seam_is_hovered(e, join->sources[0], join->sources[1])))
-            draw_join(v, join, line);
-    }
-}
-
 /* ---- pages ------------------------------------------------------------------------------ */
 
 static void draw_sheet(const kg_net_view *v, int page, bool extra) {
@@ -356,7 +343,9 @@ void kg_net_draw_pages(const kg_net_view *v, const kg_editor *e) {
         if (p->net.net->parts[i].pinned || (int)i == v->moved_part)
             draw_pin(v, i);
     if (pages > 0) {
-        draw_hovered_joins(v, e, &line);
+        int join = kg_net_view_lit_join(v, e);
+        if (join >= 0)
+            draw_join(v, &p->net.net->joins[join], &line);
         draw_handle(v);
         name_all(v);
     }

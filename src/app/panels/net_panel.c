@@ -186,19 +186,45 @@ static void part_menu(kg_app *app, size_t index) {
     kg_ui_tooltip(_("Pinned parts stay where they are; the others are placed around them."));
 }
 
-static void set_join(kg_editor *e, const kg_net_join *join, const char *key, json_t *value) {
-    kg_command_do_with(e, "net.join",
-                       json_pack("{s:[I,I], s:o}", "patches", (json_int_t)join->sources[0],
-                                 (json_int_t)join->sources[1], key, value));
+/* The patches of a join, the one first that the place naming it is on. */
+static void patches_of(const kg_net_join *join, int64_t out[2]) {
+    for (int i = 0; i < 2; i++)
+        out[i] = join->sources[i ^ join->at_side];
 }
 
-/* What the model wishes for the joins of two patches, seen from the first of these. */
-static kg_model_join wish_of(const kg_editor *e, const kg_net_join *join) {
+/* Whether the menu is about this join alone. Where it is the only one nothing is said of its place,
+ * unless it is the last of several. */
+static bool is_alone_meant(const kg_net_view *v, const kg_editor *e, const kg_net_join *join) {
+    int64_t patches[2];
+    patches_of(join, patches);
+    return !v->menu_all &&
+           (kg_net_joins_beside(kg_net_state_picture(v->state)->net.net, join) > 1 ||
+            kg_model_find_join_at(kg_editor_model(e), patches, join->at));
+}
+
+/* `tab` etc. are meant as seen from the join's first patch. */
+static void set_join(kg_app *app, const kg_net_join *join, const char *key, json_t *value) {
+    int64_t patches[2];
+    patches_of(join, patches);
+    json_t *a = json_pack("{s:[I,I], s:o}", "patches", (json_int_t)patches[0],
+                          (json_int_t)patches[1], key, value);
+    if (a && is_alone_meant(&app->net_view, &app->editor, join))
+        json_object_set_new(a, "at", json_pack("[f,f]", join->at.x, join->at.y));
+    kg_command_do_with(&app->editor, "net.join", a);
+}
+
+/* What the model wishes for a join, or for all of its patches, seen from the first of these. */
+static kg_model_join wish_of(const kg_net_view *v, const kg_editor *e, const kg_net_join *join) {
+    const kg_model *m = kg_editor_model(e);
+    int64_t patches[2];
+    patches_of(join, patches);
     const kg_model_join *found =
-        kg_model_find_join(kg_editor_model(e), join->sources[0], join->sources[1]);
+        is_alone_meant(v, e, join) ? kg_model_find_join_at(m, patches, join->at) : NULL;
+    if (!found)
+        found = kg_model_find_join(m, patches[0], patches[1]);
     kg_model_join wish = found ? *found : (kg_model_join){0};
-    if (found && found->patches[0] != join->sources[0] && wish.tab >= KG_TAB_THIS)
-        wish.tab = wish.tab == KG_TAB_THIS ? KG_TAB_OTHER : KG_TAB_THIS;
+    if (found && found->patches[0] != patches[0])
+        wish.tab = kg_net_tab_turned(wish.tab);
     return wish;
 }
 
@@ -207,31 +233,41 @@ static void join_menu(kg_app *app, const kg_net_join *join) {
                                        _("shape: teeth")};
     kg_net_view *v = &app->net_view;
     kg_editor *e = &app->editor;
-    kg_model_join wish = wish_of(e, join);
+    kg_model_join wish = wish_of(v, e, join);
+    size_t count = kg_net_joins_beside(kg_net_state_picture(v->state)->net.net, join);
+    int64_t patches[2];
+    patches_of(join, patches);
     char names[2][128], text[2][192], title[320];
     for (int i = 0; i < 2; i++) {
-        patch_label(e, join->sources[i], names[i], sizeof names[i]);
+        patch_label(e, patches[i], names[i], sizeof names[i]);
         snprintf(text[i], sizeof text[i], _("tabs on %s"), names[i]);
     }
     snprintf(title, sizeof title, _("Join %d: %s and %s"), join->number, names[0], names[1]);
     kg_ui_text_dim(title);
+    if (count > 1) {
+        char all[64];
+        snprintf(all, sizeof all, _("all %zu joins of the two"), count);
+        kg_ui_check(all, &v->menu_all);
+        kg_ui_tooltip(_("What is chosen here is for all of them, or for this one alone."));
+    }
     const char *const tab_names[] = {_("tabs: automatic"), _("no tabs"), text[0], text[1]};
     bool is_contact = join->kind == KG_JOIN_CONTACT;
     for (int i = 0; i < 4; i++)
-        if (kg_ui_menu_item(tab_names[i], "", (int)wish.tab == i, !(is_contact && i == 3)))
-            set_join(e, join, "tab", json_string(kg_net_tab_side_names[i]));
+        if (kg_ui_menu_item(tab_names[i], "", (int)wish.tab == i,
+                            !(is_contact && i == (join->at_side ? 2 : 3))))
+            set_join(app, join, "tab", json_string(kg_net_tab_side_names[i]));
     kg_ui_separator();
     for (int i = 0; i < 3; i++)
         if (kg_ui_menu_item(shape_names[i], "", (int)wish.shape == i, true))
-            set_join(e, join, "shape", json_string(kg_net_tab_shape_names[i]));
+            set_join(app, join, "shape", json_string(kg_net_tab_shape_names[i]));
     kg_ui_separator();
     if (kg_ui_menu_item(_("merge the parts here"), "", wish.merge, !is_contact))
-        set_join(e, join, "merge", json_boolean(!wish.merge));
+        set_join(app, join, "merge", json_boolean(!wish.merge));
     kg_ui_tooltip(_("One part with a fold instead of two, where the seam is straight on both."));
     kg_ui_width(120);
     unsigned result = kg_ui_number(_("tab width"), &v->menu_width, 0.1, 0, 100, "%.1f mm");
     if (result & KG_FIELD_ENDED) /* one step, not one a pixel */
-        set_join(e, join, "width", json_real(v->menu_width));
+        set_join(app, join, "width", json_real(v->menu_width));
     kg_ui_tooltip(_("0: as the net's"));
 }
 
@@ -240,8 +276,9 @@ static void show_menu(kg_app *app) {
     const kg_net_picture *p = kg_net_state_picture(v->state);
     if (v->open_menu) {
         kg_ui_popup_open("net menu");
+        v->menu_all = false;
         if (p && v->menu_join >= 0)
-            v->menu_width = wish_of(&app->editor, &p->net.net->joins[v->menu_join]).width;
+            v->menu_width = wish_of(v, &app->editor, &p->net.net->joins[v->menu_join]).width;
     }
     v->open_menu = false;
     if (!kg_ui_popup_begin("net menu"))

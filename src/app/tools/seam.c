@@ -39,29 +39,31 @@ typedef struct search {
     double nearest;         /* px */
     int64_t patch, source;
     kg_vec3 place;
+    kg_vec2 at; /* on `patch` */
 } search;
 
 static bool look_at(const kg_solved_patch *patch, const kg_region_loop *loop,
                     const kg_region_edge *edge, void *data) {
     search *s = data;
-    kg_vec3 before = kg_region_edge_point(loop, edge, 0).x;
+    kg_cross_point before = kg_region_edge_point(loop, edge, 0);
     kg_vec2 from, to;
-    bool seen = kg_pane_project(&s->editor->pane, before, &from);
+    bool seen = kg_pane_project(&s->editor->pane, before.x, &from);
     for (size_t i = 1; i <= edge->count; i++) {
-        kg_vec3 x = kg_region_edge_point(loop, edge, i).x;
-        bool sees = kg_pane_project(&s->editor->pane, x, &to);
+        kg_cross_point next = kg_region_edge_point(loop, edge, i);
+        bool sees = kg_pane_project(&s->editor->pane, next.x, &to);
         double f = 0, distance = seen && sees ? kg_segment_distance(s->px, from, to, &f) : HUGE_VAL;
         if (distance < s->nearest) {
-            kg_vec3 place = kg_lerp(before, x, f);
+            kg_vec3 place = kg_lerp(before.x, next.x, f);
             double depth = kg_dot(kg_sub(place, s->eye), s->direction);
             if (depth <= s->depth * (1 + BEHIND)) {
                 s->nearest = distance;
                 s->patch = patch->id;
                 s->source = edge->source;
                 s->place = place;
+                s->at = kg_lerp2(kg_v2(before.u, before.v), kg_v2(next.u, next.v), f);
             }
         }
-        before = x, from = to, seen = sees;
+        before = next, from = to, seen = sees;
     }
     return true;
 }
@@ -123,8 +125,8 @@ void kg_seam_hover(kg_editor *e, kg_vec2 px) {
         return;
     e->hover_seam[0] = s.patch;
     e->hover_seam[1] = other_side(e, &s);
-    e->hover_seam_placed = true;
     e->hover_seam_place = s.place;
+    e->hover_seam_at = s.at;
     if (e->hover_patch != e->hover_seam[1])
         e->hover_patch = s.patch;
 }
@@ -156,7 +158,7 @@ static bool draw_edge(const kg_solved_patch *patch, const kg_region_loop *loop,
                       const kg_region_edge *edge, void *data) {
     (void)patch;
     drawing *d = data;
-    if (d->editor->hover_seam_placed && !goes_through(loop, edge, d->editor->hover_seam_place))
+    if (!goes_through(loop, edge, d->editor->hover_seam_place))
         return true;
     const kg_solution *solution = kg_editor_solution(d->editor);
     const kg_solved_patch *cutter = kg_solution_find(solution, edge->source);

@@ -1,6 +1,6 @@
 /*
  * Where patches meet, lit in the model and in the net at once: editor->hover_seam names the two,
- * whichever view the pointer is in. All joins of a pair light up together.
+ * whichever view the pointer is in, and a place of theirs which of their seams is meant.
  */
 #ifndef KG_APP_TOOLS_SEAM_H
 #define KG_APP_TOOLS_SEAM_H
