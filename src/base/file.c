@@ -90,12 +90,20 @@ kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *er
         return KG_ERR_IO;
     }
     /* mkstemp makes files private; what replaces a user's file keeps that file's mode, and a new
-     * one gets the mode every other program would give it. */
+     * one is made anew, so that it gets the mode every other program would give it. */
     struct stat old;
-    mode_t mask = umask(0);
-    umask(mask);
-    mode_t mode = stat(path, &old) == 0 ? (old.st_mode & 0777) : (0666 & ~mask);
-    (void)!fchmod(fd, mode);
+    if (stat(path, &old) == 0) {
+        (void)!fchmod(fd, old.st_mode & 0777);
+    } else {
+        int unshared = fd;
+        fd = unlink(name) == 0 ? open(name, O_CREAT | O_EXCL | O_WRONLY, 0666) : -1;
+        close(unshared);
+    }
+    if (fd < 0) {
+        kg_fail(error, KG_ERR_IO, "%s: cannot write here: %s", path, kg_phrase_of_errno(errno));
+        free(name);
+        return KG_ERR_IO;
+    }
     close(fd);
     *out_temporary = name;
     return KG_OK;
@@ -103,11 +111,12 @@ kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *er
 
 kg_status kg_file_commit(const char *temporary, const char *path, kg_error *error) {
     int fd = open(temporary, O_RDONLY);
-    bool synced = fd >= 0 && fsync(fd) == 0;
+    bool done = fd >= 0 && fsync(fd) == 0 && rename(temporary, path) == 0;
+    int saved = errno;
     if (fd >= 0)
         close(fd);
-    if (!synced || rename(temporary, path) != 0) {
-        kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, kg_phrase_of_errno(errno));
+    if (!done) {
+        kg_fail(error, KG_ERR_IO, "%s: cannot write: %s", path, kg_phrase_of_errno(saved));
         unlink(temporary);
         return KG_ERR_IO;
     }

@@ -32,11 +32,15 @@ static void move_item(void *items, size_t size, size_t from, size_t to, void *sc
     memcpy(at + to * size, scratch, size);
 }
 
+/* One more than the largest id; where that is the last there is, the first that is free. */
 static int64_t free_id(const kg_model *m) {
-    int64_t id = 1;
+    int64_t largest = 0, id = 1;
     for (size_t i = 0; i < m->patch_count; i++)
-        if (m->patches[i].id >= id && m->patches[i].id < INT64_MAX)
-            id = m->patches[i].id + 1;
+        largest = m->patches[i].id > largest ? m->patches[i].id : largest;
+    if (largest < INT64_MAX)
+        return largest + 1;
+    while (kg_model_find(m, id))
+        id++;
     return id;
 }
 

@@ -78,10 +78,14 @@ static void writing_replaces_the_whole_file_or_nothing(void **state) {
     assert_non_null(mkdtemp(dir));
     char path[64];
     snprintf(path, sizeof path, "%s/a.txt", dir);
+    struct stat s;
+    mode_t mask = umask(027);
     assert_int_equal(kg_file_write(path, "old", 3, NULL), KG_OK);
+    umask(mask);
+    assert_int_equal(stat(path, &s), 0);
+    assert_int_equal(s.st_mode & 0777, 0640); /* what every other program would give it */
     assert_int_equal(chmod(path, 0600), 0);
     assert_int_equal(kg_file_write(path, "new text", 8, NULL), KG_OK);
-    struct stat s;
     assert_int_equal(stat(path, &s), 0);
     assert_int_equal(s.st_mode & 0777, 0600);
     char *data;

@@ -1,6 +1,7 @@
 /* Patch models from and to files: what is kept, what is refused and where the message points. */
 #include "base/file.h"
 #include "katagami/model.h"
+#include "model/edit.h"
 #include "tests/check.h"
 
 #include <jansson.h>
@@ -395,6 +396,19 @@ static void files_are_written_whole_or_not_at_all(void **state) {
     assert_int_equal(rmdir(folder), 0); /* empty: no temporary file is left */
 }
 
+static void a_copy_gets_an_id_of_its_own_after_the_last_there_is(void **state) {
+    (void)state;
+    kg_model *m = read_text(HEAD "\"patches\": [\n{\"id\": 9223372036854775807, " POINTS EXTENT
+                                 "},\n{\"id\": 9223372036854775806, " POINTS EXTENT "}]}");
+    int64_t id;
+    kg_error error;
+    assert_int_equal(kg_model_duplicate_patch(m, INT64_MAX, &id, &error), KG_OK);
+    assert_int_equal(id, 1);
+    assert_int_equal(kg_model_duplicate_patch(m, INT64_MAX, &id, &error), KG_OK);
+    assert_int_equal(id, 2);
+    kg_model_destroy(m);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_member_is_read),
@@ -411,6 +425,7 @@ int main(void) {
         cmocka_unit_test(deep_nesting_is_refused),
         cmocka_unit_test(ten_thousand_patches_are_read_at_once),
         cmocka_unit_test(files_are_written_whole_or_not_at_all),
+        cmocka_unit_test(a_copy_gets_an_id_of_its_own_after_the_last_there_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
