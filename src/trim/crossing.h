@@ -154,6 +154,12 @@ typedef struct kg_ruled_pair {
 kg_sample kg_cross_sample(const kg_ruled_pair *pair, double v, double t, kg_arc_kind kind,
                           int direction);
 
+/* The same from both lines, v and t as kg_on_unit_side gives them: 0 or 1 where they are within the
+ * slack of it. */
+kg_sample kg_cross_lines(const kg_ruled_pair *pair, double v, const kg_line *a, double t,
+                         const kg_line *b, kg_arc_kind kind, int direction);
+double kg_on_unit_side(const kg_ruled_pair *pair, double v);
+
 /* |p'| */
 double kg_ruled_speed(const kg_ruled *ruled, double v);
 

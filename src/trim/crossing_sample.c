@@ -1,9 +1,28 @@
 /* Single points of a crossing: two rulings that meet, and the curve's tangent there. */
 #include "trim/crossing.h"
 
+/* Sums w_i a_i and w_i b_i with the weights C(m,i) r^i, where b follows a, from `first` on in steps
+ * of 1 or -1. */
+static inline void sum_halves(const kg_vec3 *a, int m, int first, int step, double r,
+                              kg_vec3 *out_a, kg_vec3 *out_b) {
+    static const double inverse[KG_PLUCKER_MAX] = {
+        0,        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,
+        1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15,
+        1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23};
+    kg_vec3 x = a[first], y = a[first + 1];
+    double w = 1;
+    for (int i = 1; i <= m; i++) {
+        w *= r * (m - i + 1) * inverse[i];
+        x = kg_madd(x, w, a[first + step * i]);
+        y = kg_madd(y, w, a[first + step * i + 1]);
+    }
+    *out_a = x;
+    *out_b = y;
+}
+
 /* Value and derivative of a Bernstein polynomial from the two halves of the last de Casteljau
  * step, by Horner's scheme as kg_bernstein_eval3. n is a constant where this is called most, so
- * that the loop unrolls. */
+ * that the loops unroll. */
 static inline void evaluate(const kg_vec3 *a, int n, double t, kg_vec3 *out_value,
                             kg_vec3 *out_slope) {
     if (n == 0) {
@@ -11,21 +30,15 @@ static inline void evaluate(const kg_vec3 *a, int n, double t, kg_vec3 *out_valu
         *out_slope = kg_v3(0, 0, 0);
         return;
     }
-    static const double inverse[KG_PLUCKER_MAX] = {
-        0,        1.0,      1.0 / 2,  1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,
-        1.0 / 8,  1.0 / 9,  1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14, 1.0 / 15,
-        1.0 / 16, 1.0 / 17, 1.0 / 18, 1.0 / 19, 1.0 / 20, 1.0 / 21, 1.0 / 22, 1.0 / 23};
-    bool low = t <= 0.5;
     int m = n - 1;
-    double r = low ? t / (1 - t) : (1 - t) / t, w = 1, scale = low ? 1 - t : t, power = 1;
-    kg_vec3 x = low ? a[0] : a[m], y = low ? a[1] : a[m + 1];
-    for (int i = 1; i <= m; i++) {
-        const kg_vec3 *next = low ? a + i : a + (m - i);
-        w *= r * (m - i + 1) * inverse[i];
+    double scale = t <= 0.5 ? 1 - t : t, power = 1;
+    kg_vec3 x, y;
+    if (t <= 0.5)
+        sum_halves(a, m, 0, 1, t / scale, &x, &y);
+    else
+        sum_halves(a, m, m, -1, (1 - t) / scale, &x, &y);
+    for (int i = 1; i <= m; i++)
         power *= scale;
-        x = kg_madd(x, w, next[0]);
-        y = kg_madd(y, w, next[1]);
-    }
     *out_value = kg_scale(kg_lerp(x, y, t), power);
     *out_slope = kg_scale(kg_sub(y, x), n * power);
 }
@@ -88,25 +101,34 @@ static unsigned beyond(double x, const double side[2], unsigned lo) {
 
 static const double unit_side[2] = {0, 1};
 
+double kg_on_unit_side(const kg_ruled_pair *pair, double v) {
+    return onto_side(v, unit_side, pair->slack);
+}
+
 kg_sample kg_cross_sample(const kg_ruled_pair *pair, double v, double t, kg_arc_kind kind,
                           int direction) {
-    v = onto_side(v, unit_side, pair->slack);
-    t = onto_side(t, unit_side, pair->slack);
+    v = kg_on_unit_side(pair, v);
+    t = kg_on_unit_side(pair, t);
     kg_line a = kg_ruled_line(&pair->a, v), b = kg_ruled_line(&pair->b, t);
+    return kg_cross_lines(pair, v, &a, t, &b, kind, direction);
+}
+
+kg_sample kg_cross_lines(const kg_ruled_pair *pair, double v, const kg_line *a, double t,
+                         const kg_line *b, kg_arc_kind kind, int direction) {
     kg_vec3 da, dda, db, ddb;
-    kg_line_unit(&a, &da, &dda);
-    kg_line_unit(&b, &db, &ddb);
+    kg_line_unit(a, &da, &dda);
+    kg_line_unit(b, &db, &ddb);
     kg_sample s = {.across = kg_cross(da, db)};
     double n2 = kg_max(kg_dot(s.across, s.across), 1e-30);
     kg_vec3 to_u = kg_scale(kg_cross(db, s.across), 1 / n2);
     kg_vec3 to_s = kg_scale(kg_cross(da, s.across), 1 / n2);
-    kg_vec3 gap = kg_sub(b.p, a.p);
+    kg_vec3 gap = kg_sub(b->p, a->p);
     const double *ua = pair->a.patch->extent, *ub = pair->b.patch->extent;
     kg_cross_point *at = &s.at;
     at->v = v, at->t = t;
     at->u = onto_side(kg_dot(gap, to_u), ua, pair->slack * pair->a.size);
     at->s = onto_side(kg_dot(gap, to_s), ub, pair->slack * pair->a.size);
-    kg_vec3 xa = kg_madd(a.p, at->u, da), xb = kg_madd(b.p, at->s, db);
+    kg_vec3 xa = kg_madd(a->p, at->u, da), xb = kg_madd(b->p, at->s, db);
     at->x = kg_madd(pair->a.origin, 0.5, kg_add(xa, xb));
     s.out = beyond(at->u, ua, KG_SIDE_A_U_LO) | beyond(v, unit_side, KG_SIDE_A_V_LO) |
             beyond(at->s, ub, KG_SIDE_B_U_LO) | beyond(t, unit_side, KG_SIDE_B_V_LO);
@@ -115,11 +137,11 @@ kg_sample kg_cross_sample(const kg_ruled_pair *pair, double v, double t, kg_arc_
 
     /* along F = const: (v', t') ∥ (-F_t, F_v); u', s' from the equal tangent of both surfaces */
     double fv, ft;
-    kg_cross_value(&a, &b, &fv, &ft);
+    kg_cross_value(a, b, &fv, &ft);
     double dv = -ft, dt = fv;
     if ((kind == KG_ARC_OVER_V ? dv : dt) * direction < 0)
         dv = -dv, dt = -dt;
-    kg_vec3 xv = kg_madd(a.dp, at->u, dda), xt = kg_madd(b.dp, at->s, ddb);
+    kg_vec3 xv = kg_madd(a->dp, at->u, dda), xt = kg_madd(b->dp, at->s, ddb);
     kg_vec3 drift = kg_sub(kg_scale(xt, dt), kg_scale(xv, dv));
     double du = kg_dot(drift, to_u), ds = kg_dot(drift, to_s);
     kg_vec3 tangent = kg_madd(kg_scale(xv, dv), du, da);
@@ -128,7 +150,7 @@ kg_sample kg_cross_sample(const kg_ruled_pair *pair, double v, double t, kg_arc_
         return s;
     s.slope = (kg_cross_point){du / speed, dv / speed, ds / speed, dt / speed,
                                kg_scale(tangent, 1 / speed)};
-    lay_on_paper(&s, 0, &a, da, at->u);
-    lay_on_paper(&s, 1, &b, db, at->s);
+    lay_on_paper(&s, 0, a, da, at->u);
+    lay_on_paper(&s, 1, b, db, at->s);
     return s;
 }

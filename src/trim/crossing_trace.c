@@ -67,6 +67,7 @@ static kg_sample arc_point(const tracer *tr, double w, double guess) {
     const kg_ruled *fixed = over_v ? &tr->pair->a : &tr->pair->b;
     const kg_ruled *moving = over_v ? &tr->pair->b : &tr->pair->a;
     double lo = over_v ? arc->t[0] : arc->v[0], hi = over_v ? arc->t[1] : arc->v[1];
+    w = kg_on_unit_side(tr->pair, w);
     kg_line at = kg_ruled_line(fixed, w);
     double x = kg_min(kg_max(guess, lo), hi);
     for (int i = 0; i < 60; i++) {
@@ -86,7 +87,10 @@ static kg_sample arc_point(const tracer *tr, double w, double guess) {
         }
         x = next >= lo && next <= hi ? next : 0.5 * (lo + hi);
     }
-    return kg_cross_sample(tr->pair, over_v ? w : x, over_v ? x : w, arc->kind, tr->direction);
+    x = kg_on_unit_side(tr->pair, x);
+    kg_line met = kg_ruled_line(moving, x);
+    return over_v ? kg_cross_lines(tr->pair, w, &at, x, &met, arc->kind, tr->direction)
+                  : kg_cross_lines(tr->pair, x, &met, w, &at, arc->kind, tr->direction);
 }
 
 static double parameter(const tracer *tr, const kg_sample *s) {
@@ -132,8 +136,9 @@ static kg_vec2 paper_chord(const tracer *tr, const kg_sample *p, const kg_sample
 }
 
 /* Turning over the span and the deviation from its chords in space and on both papers, from the
- * tangents at its ends: a quarter of the length times the angle between tangent and chord. */
-static double chord_error(const tracer *tr, const kg_sample *p, const kg_sample *q,
+ * tangents at its ends: a quarter of the length times the angle between tangent and chord. Beyond
+ * `limit` in space alone the papers are not looked at. */
+static double chord_error(const tracer *tr, const kg_sample *p, const kg_sample *q, double limit,
                           double *out_turn) {
     kg_vec3 chord = kg_sub(q->at.x, p->at.x);
     double length = kg_len(chord), bend = 0;
@@ -143,7 +148,7 @@ static double chord_error(const tracer *tr, const kg_sample *p, const kg_sample 
         bend = kg_max(kg_dist(p->slope.x, chord), bend);
     if (at_q)
         bend = kg_max(kg_dist(q->slope.x, chord), bend);
-    for (int k = 0; k < 2 && at_p && at_q; k++) {
+    for (int k = 0; k < 2 && at_p && at_q && 0.25 * length * bend <= limit; k++) {
         kg_vec2 flat = paper_chord(tr, p, q, k);
         double n = kg_len2(flat);
         flat = kg_scale2(flat, n > 0 ? 1 / n : 0);
@@ -194,7 +199,7 @@ static bool stays_out(const tracer *tr, const kg_sample *p, const kg_sample *q) 
     if (common & KG_SIDE_FALSE)
         return true;
     double turn, length = kg_dist(p->at.x, q->at.x);
-    chord_error(tr, p, q, &turn);
+    chord_error(tr, p, q, INFINITY, &turn);
     bool bent = turn > 2 * MAX_TURN; /* the cubic says little about the curve */
     for (int k = 0; k < COORDINATES; k++)
         for (int high = 0; high < 2; high++) {
@@ -317,8 +322,8 @@ static bool halves(tracer *tr, const kg_sample *p, const kg_sample *q, int depth
 
 /* Both ends inside: halved until chords are good and no excursion can hide. */
 static bool inside_span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) {
-    double turn, error = chord_error(tr, p, q, &turn);
-    bool good = error <= AIM * tr->pair->tolerance && turn <= MAX_TURN && !may_cross(tr, p, q);
+    double turn, aim = AIM * tr->pair->tolerance, error = chord_error(tr, p, q, aim, &turn);
+    bool good = error <= aim && turn <= MAX_TURN && !may_cross(tr, p, q);
     return good || spent(tr, p, q, depth) ? emit(tr, q, true) : halves(tr, p, q, depth);
 }
 
@@ -346,7 +351,7 @@ static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) 
     if (tiny(p, q) || stays_out(tr, p, q))
         return emit(tr, q, false);
     double turn;
-    chord_error(tr, p, q, &turn);
+    chord_error(tr, p, q, INFINITY, &turn);
     double flip = kg_dot(p->across, q->across);
     bool steady = turn < MAX_TURN && flip > 0.5 * kg_dot(p->across, p->across) &&
                   flip > 0.5 * kg_dot(q->across, q->across);
@@ -377,7 +382,7 @@ static bool span(tracer *tr, const kg_sample *p, const kg_sample *q, int depth) 
 /* Points at equal steps first, as many as the chord error of the halves asks for. */
 static bool trace_halved(tracer *tr, const kg_sample *p, const kg_sample *q) {
     enum { MAX_STEPS = 64 };
-    double turn, error = chord_error(tr, p, q, &turn);
+    double turn, error = chord_error(tr, p, q, INFINITY, &turn);
     int steps = 1;
     if (!p->out && !q->out)
         steps =
