@@ -13,15 +13,18 @@ static bool outline_hit(const kg_editor *e, int64_t patch, kg_vec2 px, kg_hit *o
     *out = (kg_hit){0};
     for (size_t i = 0; s && s->valid && i < s->regions.count; i++) {
         const kg_region_loop *loop = &s->regions.items[i].loops[0];
-        for (size_t k = 0; k < loop->point_count; k++) {
-            kg_vec3 a = loop->points[k].x, b = loop->points[(k + 1) % loop->point_count].x;
-            kg_vec2 from, to;
-            double f;
-            if (!kg_pane_project(&e->pane, a, &from) || !kg_pane_project(&e->pane, b, &to) ||
-                kg_segment_distance(px, from, to, &f) >= nearest)
+        kg_vec2 from = {0, 0}, to = from;
+        bool seen = false, sees;
+        for (size_t k = 0; loop->point_count > 0 && k <= loop->point_count;
+             k++, from = to, seen = sees) {
+            kg_vec3 b = loop->points[k % loop->point_count].x;
+            sees = kg_pane_project(&e->pane, b, &to);
+            double f = 0,
+                   distance = seen && sees ? kg_segment_distance(px, from, to, &f) : HUGE_VAL;
+            if (distance >= nearest)
                 continue;
-            nearest = kg_segment_distance(px, from, to, NULL);
-            kg_vec3 place = kg_lerp(a, b, f);
+            nearest = distance;
+            kg_vec3 place = kg_lerp(loop->points[k - 1].x, b, f);
             *out = (kg_hit){kg_dist(eye, place), patch, i, place};
         }
     }

@@ -81,8 +81,8 @@ static kg_vec3 move_by(const kg_editor *e, const state *s) {
     double from, to, number;
     kg_vec3 by = {0, 0, 0}, a, b;
     if (s->axis >= 0 && typed_number(s, &number))
-        return kg_scale(axis_of(s->axis), number);
-    if (typed_number(s, &number)) /* without an axis: along x */
+        return kg_madd(kg_v3(0, 0, 0), number, axis_of(s->axis)); /* never -0, which is shown */
+    if (typed_number(s, &number))                                 /* without an axis: along x */
         return kg_v3(number, 0, 0);
     if (s->axis >= 0 && !s->plane) {
         kg_vec3 axis = axis_of(s->axis);
