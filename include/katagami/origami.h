@@ -239,8 +239,8 @@ typedef struct kg_fold_gap {
 } kg_fold_gap;
 
 /* Gaps between faces at rest that a fold can end in, from the top down; of those that come to the
- * same only one. Where hundreds of layers lie on each other only the uppermost are tried, or none.
- * free() the list. Errors as above, of the fold that ends outside. */
+ * same only one, and no more than 64. Where thousands of layers lie on each other only the
+ * uppermost are tried. free() the list. Errors as above, of the fold that ends outside. */
 KG_API kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold,
                               kg_fold_gap **out_gaps, size_t *out_count,
                               kg_error *error) KG_CHECKED;
@@ -317,8 +317,8 @@ KG_API kg_status kg_origami_fold_text(const kg_origami *origami, size_t step, bo
                                       char **out_text, size_t *out_size,
                                       kg_error *error) KG_CHECKED;
 
-/* The crease pattern of a state as a net: one part per sheet, mountains and valleys as folds, seen
- * from the front. KG_ERR_MEMORY. */
+/* The crease pattern of a state as a net: one part per sheet, mountains and valleys as folds and
+ * what was unfolded again as marks, seen from the front. KG_ERR_MEMORY. */
 KG_API kg_status kg_origami_net(const kg_origami *origami, size_t step, kg_net **out_net,
                                 kg_error *error) KG_CHECKED;
 

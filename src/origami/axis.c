@@ -205,14 +205,24 @@ static void find_sides(kg_folding *f) {
     }
 }
 
+static void find_picked(kg_folding *f, const kg_fold *fold) {
+    const kg_origami_state *s = f->state;
+    int32_t index = vertex_near(s, fold->by_axis ? fold->vertex : fold->points[0]);
+    kg_vec3 vertex = s->vertices.items[index].position;
+    for (size_t i = 0; i < s->loops.count; i++)
+        if (s->loops.items[i].group == f->axis.group && has_corner(s, i, vertex))
+            kg_bit_set(f->picked, (int32_t)i);
+}
+
 kg_status kg_folding_create(const kg_origami_state *s, const kg_fold *fold, kg_folding *out,
                             kg_error *error) {
     kg_folding f = {.state = s,
                     .sides = calloc(s->vertices.count + 1, 1),
                     .reach = calloc(s->loops.count + 1, 1),
                     .moves = calloc(s->loops.count + 1, sizeof *f.moves),
+                    .picked = calloc(kg_layer_words(s->loops.count), sizeof *f.picked),
                     .open = malloc(kg_layer_words(s->loops.count) * sizeof *f.open)};
-    kg_status status = f.sides && f.reach && f.moves && f.open ? KG_OK : KG_ERR_MEMORY;
+    kg_status status = f.sides && f.reach && f.moves && f.picked && f.open ? KG_OK : KG_ERR_MEMORY;
     if (!status)
         status = kg_outlines_create(s, &f.outlines);
     if (!status)
@@ -222,6 +232,7 @@ kg_status kg_folding_create(const kg_origami_state *s, const kg_fold *fold, kg_f
         return status;
     }
     find_sides(&f);
+    find_picked(&f, fold);
     kg_folding_rest(&f);
     *out = f;
     return KG_OK;
@@ -232,6 +243,7 @@ void kg_folding_clear(kg_folding *f) {
     free(f->sides);
     free(f->reach);
     free(f->moves);
+    free(f->picked);
     free(f->open);
     *f = (kg_folding){0};
 }
@@ -249,34 +261,28 @@ kg_status kg_state_fold_axis(const kg_origami_state *s, const kg_fold *fold, kg_
 
 /* ---- picking ---------------------------------------------------------------------------- */
 
-/* The topmost resting loop with a part beyond the axis and a corner at the vertex, seen from the
- * side it folds to; -1 when there is none. */
-static int32_t topmost(const kg_folding *f, kg_vec3 vertex) {
+/* The topmost resting loop at the vertex, seen from the side it folds to; -1 when there is none. */
+static int32_t topmost(const kg_folding *f) {
     const kg_origami_state *s = f->state;
     int up = f->axis.angle > 0 ? 1 : -1;
-    for (size_t i = 0; i < s->loops.count; i++) {
-        if (f->moves[i] || s->loops.items[i].group != f->axis.group || !has_corner(s, i, vertex))
-            continue;
-        const uint64_t *row = kg_layer_pile(s, &f->outlines, (int32_t)i, up);
-        bool covered = false;
-        for (size_t w = 0; w < s->layers.words; w++)
-            for (uint64_t bits = row[w]; bits != 0 && !covered;) {
-                size_t other = 64 * w + (size_t)kg_bit_next(&bits);
-                covered = !f->moves[other] && has_corner(s, other, vertex);
-            }
-        if (!covered)
-            return (int32_t)i;
-    }
+    size_t words = s->layers.words;
+    for (size_t w = 0; w < words; w++)
+        for (uint64_t bits = f->picked[w] & f->open[w]; bits != 0;) {
+            int32_t loop = (int32_t)(64 * w) + kg_bit_next(&bits);
+            const uint64_t *row = kg_layer_pile(s, &f->outlines, loop, up);
+            size_t k = 0;
+            while (k < words && !(row[k] & f->picked[k] & f->open[k]))
+                k++;
+            if (k == words)
+                return loop;
+        }
     return -1;
 }
 
 kg_status kg_folding_pick(kg_folding *f, const kg_fold *fold, kg_error *error) {
-    const kg_origami_state *s = f->state;
-    int32_t index = vertex_near(s, fold->by_axis ? fold->vertex : fold->points[0]);
-    kg_vec3 vertex = s->vertices.items[index].position;
     int32_t wanted = fold->layers > 0 ? fold->layers : 1;
     for (int32_t i = 0; i < wanted; i++) {
-        int32_t loop = i == 0 && fold->face >= 0 ? fold->face : topmost(f, vertex);
+        int32_t loop = i == 0 && fold->face >= 0 ? fold->face : topmost(f);
         if (loop < 0)
             return kg_fail(error, KG_ERR_INPUT, "only %d layers can move there, not %d", i, wanted);
         kg_status status = kg_folding_move(f, loop, error);

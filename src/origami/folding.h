@@ -28,6 +28,7 @@ typedef struct kg_folding {
     signed char *reach; /* of loops in the group, bits: 1 some corner beyond the axis, 2 some on the
                            resting side */
     bool *moves;        /* loops that move; those across the axis with their part beyond it */
+    uint64_t *picked;   /* bits of loops in the group that have a corner at the chosen vertex */
     uint64_t *open;     /* bits of loops that do not move but could: all in other planes, in the
                            group those with a corner beyond the axis */
     kg_fold_blame blame;

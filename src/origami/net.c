@@ -77,11 +77,12 @@ static kg_status add_creases(const kg_origami_state *s, int32_t sheet, kg_net *n
     for (size_t e = 0; e < s->edges.count; e++) {
         const kg_paper_edge *edge = &s->edges.items[e];
         int32_t h = (int32_t)(2 * e), loop = kg_loop_of(s, h);
-        if (edge->kind != KG_PAPER_CREASE || edge->angle == 0 || loop < 0 ||
-            s->loops.items[loop].sheet != sheet)
+        if (edge->kind != KG_PAPER_CREASE || loop < 0 || s->loops.items[loop].sheet != sheet)
             continue;
         kg_vec2 ends[2] = {on_page(s, h), on_page(s, h + 1)};
-        kg_net_line line = {.kind = edge->angle > 0 ? KG_NET_VALLEY : KG_NET_MOUNTAIN,
+        kg_net_line line = {.kind = edge->angle > 0   ? KG_NET_VALLEY
+                                    : edge->angle < 0 ? KG_NET_MOUNTAIN
+                                                      : KG_NET_MARK,
                             .count = 2,
                             .points = ends,
                             .join = -1};

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* More layers than this where a fold ends are more than anybody chooses from. */
-enum { MOST_LAYERS = 64 };
+/* More gaps than this are more than anybody chooses from. */
+enum { MOST_GAPS = 64 };
 
-/* Orders looked at in all while gaps are tried, so that people do not wait: some 0.2 s. */
-#define MOST_ORDERS 50000
+/* Pairs of layers looked at in all while gaps are tried, so that people do not wait: some 0.2 s. */
+#define MOST_PAIRS 40000000
 
 void kg_fold_preview_clear(kg_fold_preview *p) {
     free(p->layers);
@@ -140,59 +140,100 @@ kg_status kg_fold_preview_make(const kg_origami_state *state, const kg_fold *fol
 
 /* ---- where it could go between ----------------------------------------------------------- */
 
-/* The loops at rest that the fold ends on, highest number first dropped when there are too many. */
-static size_t find_landing(const kg_origami_state *after, const bool *moves, int32_t group,
-                           int32_t out[MOST_LAYERS]) {
-    size_t count = 0;
-    kg_layer_order o = {0};
-    while (kg_origami_next_order(after, &o)) {
-        if (moves[o.a] == moves[o.b] || after->loops.items[o.a].group != group)
-            continue;
-        int32_t resting = moves[o.a] ? o.b : o.a;
-        bool known = false;
-        for (size_t k = 0; k < count; k++)
-            known |= out[k] == resting;
-        if (!known && count < MOST_LAYERS)
-            out[count++] = resting;
-    }
-    return count;
-}
-
-/* 1: loop b lies on a, seen from the side it folds to; -1 below it; 0 beside it */
-static int seen_order(const kg_origami_state *s, const kg_fold_axis *axis, int32_t a, int32_t b) {
-    double facing = kg_dot(kg_origami_normal(s, a), axis->normal) * axis->angle;
-    return kg_origami_order(s, a, b) * (facing > 0 ? 1 : -1);
-}
-
-static bool are_neighbours(const kg_origami_state *s, const kg_fold_axis *axis,
-                           const int32_t *loops, size_t count, int32_t lower, int32_t upper) {
-    for (size_t i = 0; i < count; i++)
-        if (seen_order(s, axis, lower, loops[i]) > 0 && seen_order(s, axis, loops[i], upper) > 0)
-            return false;
-    return true;
-}
-
 typedef struct gaps {
     kg_fold_gap *items;
     size_t count, capacity;
 } gaps;
 
+/* Bits of the loops at rest that the fold ends on; free() them. */
+static uint64_t *find_landing(const kg_origami_state *after, const bool *moves, int32_t group) {
+    uint64_t *landing = calloc(after->layers.words, sizeof *landing);
+    for (size_t i = 0; i < after->loops.count && landing; i++)
+        for (size_t w = 0;
+             moves[i] && after->loops.items[i].group == group && w < after->layers.words; w++)
+            landing[w] |= kg_layer_any(after, (int32_t)i, w);
+    for (size_t i = 0; i < after->loops.count && landing; i++)
+        if (moves[i])
+            kg_bit_unset(landing, (int32_t)i);
+    return landing;
+}
+
+/* What lies on a loop (1) or below it (-1), seen from the side it folds to. */
+static const uint64_t *seen_row(const kg_origami_state *s, const kg_fold_axis *axis, int32_t loop,
+                                int above) {
+    double facing = kg_dot(kg_origami_normal(s, loop), axis->normal) * axis->angle;
+    return kg_layer_row(s, loop, facing > 0 ? above : -above);
+}
+
+static int32_t count_common(const uint64_t *a, const uint64_t *b, size_t words) {
+    int32_t count = 0;
+    for (size_t w = 0; w < words; w++)
+        count += __builtin_popcountll(a[w] & b[w]);
+    return count;
+}
+
+static bool meet(const uint64_t *a, const uint64_t *b, const uint64_t *c, size_t words) {
+    for (size_t w = 0; w < words; w++)
+        if (a[w] & b[w] & c[w])
+            return true;
+    return false;
+}
+
+/* Of the layers that the fold ends on, those that lie right on `lower`. */
+static bool add_gaps(const kg_origami_state *after, const kg_fold_axis *axis,
+                     const uint64_t *landing, int32_t lower, gaps *list) {
+    size_t words = after->layers.words;
+    const uint64_t *on = seen_row(after, axis, lower, 1);
+    for (size_t w = 0; w < words; w++)
+        for (uint64_t bits = on[w] & landing[w]; bits != 0;) {
+            int32_t upper = (int32_t)(64 * w) + kg_bit_next(&bits);
+            if (meet(on, landing, seen_row(after, axis, upper, -1), words))
+                continue;
+            int32_t depth = 1 + count_common(seen_row(after, axis, upper, 1), landing, words);
+            if (!kg_push(list, ((kg_fold_gap){lower, upper, depth})))
+                return false;
+        }
+    return true;
+}
+
+/* From the top down. */
+static int compare_gaps(const void *a, const void *b) {
+    const kg_fold_gap *x = a, *y = b;
+    if (x->depth != y->depth)
+        return x->depth < y->depth ? -1 : 1;
+    if (x->lower != y->lower)
+        return x->lower < y->lower ? -1 : 1;
+    return x->upper < y->upper ? -1 : x->upper > y->upper;
+}
+
+/* Neighbours among the layers that the fold ends on. */
+static kg_status find_candidates(const kg_fold_axis *axis, const kg_origami_state *after,
+                                 const bool *moves, gaps *list) {
+    uint64_t *landing = find_landing(after, moves, axis->group);
+    bool ok = landing;
+    for (int32_t i = 0; ok && i < (int32_t)after->loops.count; i++)
+        if (kg_bit_at(landing, i))
+            ok = add_gaps(after, axis, landing, i, list);
+    free(landing);
+    if (ok && list->count > 0)
+        qsort(list->items, list->count, sizeof *list->items, compare_gaps);
+    return ok ? KG_OK : KG_ERR_MEMORY;
+}
+
 /* Adds a gap where the fold can end, unless an earlier one comes to the same. */
-static kg_status try_gap(const kg_origami_state *state, const kg_fold *fold, kg_fold_gap gap,
-                         gaps *list, kg_origami_state **states) {
+static kg_status try_gap(kg_folding *f, const kg_fold *fold, kg_fold_gap gap, gaps *list,
+                         kg_origami_state **states) {
     kg_fold between = *fold;
     between.between[0] = gap.lower, between.between[1] = gap.upper;
     kg_origami_state *after;
-    kg_status status = kg_state_fold(state, &between, &after, NULL);
+    kg_status status = kg_folding_finish(f, &between, &after, NULL, NULL);
     if (status)
         return status == KG_ERR_INPUT ? KG_OK : status;
-    bool known = false;
     for (size_t i = 0; i < list->count; i++)
-        known |= kg_layers_equal(states[i], after);
-    if (known || list->count == MOST_LAYERS) {
-        kg_state_destroy(after);
-        return KG_OK;
-    }
+        if (kg_layers_equal(states[i], after)) {
+            kg_state_destroy(after);
+            return KG_OK;
+        }
     if (!kg_push(list, gap)) {
         kg_state_destroy(after);
         return KG_ERR_MEMORY;
@@ -201,44 +242,16 @@ static kg_status try_gap(const kg_origami_state *state, const kg_fold *fold, kg_
     return KG_OK;
 }
 
-/* Neighbours among the layers that the fold ends on. */
-static kg_status find_candidates(const kg_fold_axis *axis, const kg_origami_state *after,
-                                 const bool *moves, gaps *list) {
-    int32_t loops[MOST_LAYERS];
-    size_t count = find_landing(after, moves, axis->group, loops);
-    for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < count; k++) {
-            kg_fold_gap gap = {.lower = loops[i], .upper = loops[k], .depth = 1};
-            if (seen_order(after, axis, gap.lower, gap.upper) <= 0 ||
-                !are_neighbours(after, axis, loops, count, gap.lower, gap.upper))
-                continue;
-            for (size_t n = 0; n < count; n++)
-                gap.depth += seen_order(after, axis, gap.upper, loops[n]) > 0;
-            if (!kg_push(list, gap))
-                return KG_ERR_MEMORY;
-        }
-    return KG_OK;
-}
-
-/* From the top down, those of the same depth as they were found. */
-static void sort_gaps(gaps *list) {
-    for (size_t i = 1; i < list->count; i++)
-        for (size_t k = i; k > 0 && list->items[k].depth < list->items[k - 1].depth; k--) {
-            kg_fold_gap swap = list->items[k];
-            list->items[k] = list->items[k - 1];
-            list->items[k - 1] = swap;
-        }
-}
-
-static kg_status try_gaps(const kg_origami_state *state, const kg_fold *fold,
-                          const kg_fold_axis *axis, const kg_origami_state *after,
-                          const bool *moves, gaps *list, kg_origami_state **states) {
+static kg_status try_gaps(kg_folding *f, const kg_fold *fold, const kg_origami_state *after,
+                          const bool *moves, gaps *list) {
     gaps candidates = {0};
-    kg_status status = find_candidates(axis, after, moves, &candidates);
-    size_t most = MOST_ORDERS / (kg_origami_pair_count(after) + 1);
-    sort_gaps(&candidates);
-    for (size_t i = 0; i < candidates.count && i < most && !status; i++)
-        status = try_gap(state, fold, candidates.items[i], list, states);
+    kg_origami_state *states[MOST_GAPS] = {0};
+    kg_status status = find_candidates(&f->axis, after, moves, &candidates);
+    size_t most = MOST_PAIRS / (kg_origami_pair_count(after) + 1);
+    for (size_t i = 0; i < candidates.count && i < most && list->count < MOST_GAPS && !status; i++)
+        status = try_gap(f, fold, candidates.items[i], list, states);
+    for (size_t i = 0; i < list->count; i++)
+        kg_state_destroy(states[i]);
     free(candidates.items);
     return status;
 }
@@ -247,7 +260,7 @@ kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold, kg_fo
                        size_t *out_count, kg_error *error) {
     kg_folding f;
     kg_fold outside = *fold;
-    kg_origami_state *after = NULL, *states[MOST_LAYERS] = {0};
+    kg_origami_state *after = NULL;
     bool *moves = NULL;
     gaps list = {0};
     outside.between[0] = outside.between[1] = -1;
@@ -258,9 +271,7 @@ kg_status kg_fold_gaps(const kg_origami_state *state, const kg_fold *fold, kg_fo
     if (!status)
         status = kg_folding_finish(&f, &outside, &after, &moves, error);
     if (!status)
-        status = try_gaps(state, &outside, &f.axis, after, moves, &list, states);
-    for (size_t i = 0; i < MOST_LAYERS; i++)
-        kg_state_destroy(states[i]);
+        status = try_gaps(&f, &outside, after, moves, &list);
     kg_state_destroy(after);
     free(moves);
     kg_folding_clear(&f);

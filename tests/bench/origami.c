@@ -1,6 +1,7 @@
 /* Folding and the layers of finished patterns, on sheets folded flat many times over. */
 #include "katagami/origami.h"
 #include "bench/bench.h"
+#include "origami/condition.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,36 +42,88 @@ static kg_origami *folded_square(size_t faces, uint64_t seed) {
     return o;
 }
 
+enum { FOLDS = 20 };
+
+static int compare_times(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* Times of random folds, done or only worked out, from the fastest to the slowest. */
+static void time_folds(kg_origami *o, bool dry, double out[FOLDS]) {
+    const kg_origami_state *s = kg_origami_state_at(o, kg_origami_step(o));
+    uint64_t seed = 11;
+    for (int tries = 0, count = 0; tries < 500 && count < FOLDS; tries++) {
+        kg_fold f = random_fold(s, &seed);
+        kg_fold_preview preview = {0};
+        double start = bench_now();
+        kg_status status =
+            dry ? kg_fold_preview_make(s, &f, &preview, NULL) : kg_origami_fold(o, &f, NULL);
+        double time = bench_now() - start;
+        kg_fold_preview_clear(&preview);
+        if (status)
+            continue;
+        out[count++] = time;
+        if (!dry)
+            kg_origami_undo(o);
+    }
+    qsort(out, FOLDS, sizeof *out, compare_times);
+}
+
 static void bench_fold(size_t faces) {
     kg_origami *o = folded_square(faces, 7);
     const kg_origami_state *s = kg_origami_state_at(o, kg_origami_step(o));
     char what[80];
-    uint64_t seed = 11;
-    double total = 0, worst = 0;
-    int count = 0;
-    for (int tries = 0; tries < 500 && count < 20; tries++) {
-        kg_fold f = random_fold(s, &seed);
-        double start = bench_now();
-        bool done = kg_origami_fold(o, &f, NULL) == KG_OK;
-        double time = bench_now() - start;
-        if (!done)
-            continue;
-        count++;
-        total += time;
-        worst = fmax(worst, time);
-        kg_origami_undo(o);
-    }
+    double times[FOLDS] = {0};
+    time_folds(o, false, times);
     snprintf(what, sizeof what, "origami: one fold, %zu faces, %zu pairs on each other",
              s->loops.count, kg_origami_pair_count(s));
-    bench_row(what, total / fmax(count, 1), "ms", 0.010);
-    bench_row("  the slowest of them", worst, "ms", 0);
+    double median = times[FOLDS / 2];
+    bench_row(what, median, "ms", 0.010);
+    bench_row("  the slowest of twenty", times[FOLDS - 1], "ms", 0.010);
     char *text;
     size_t size;
     if (kg_origami_fold_text(o, kg_origami_step(o), false, &text, &size, NULL) == KG_OK) {
-        bench_rabbit("fold", text, size, total / fmax(count, 1), 0);
-        bench_rabbit("fold-orders", text, size, total / fmax(count, 1), 1000);
+        bench_rabbit("fold", text, size, median, 1000);
+        bench_rabbit("fold-orders", text, size, median, 1000);
         free(text);
     }
+    time_folds(o, true, times);
+    bench_row("origami: the same fold tried while it is dragged", times[FOLDS / 2], "ms", 0.008);
+    bench_row("  the slowest of twenty", times[FOLDS - 1], "ms", 0);
+    kg_outlines outlines;
+    if (kg_outlines_create(s, &outlines) == KG_OK) {
+        double start = bench_now();
+        kg_status status = kg_layers_check(s, &outlines, NULL, NULL);
+        bench_row(status ? "origami: layers that cross" : "origami: check of all its layers",
+                  bench_now() - start, "ms", 0);
+        kg_outlines_clear(&outlines);
+    }
+    kg_origami_destroy(o);
+}
+
+/* A flap onto a pile of sheets, which can end below any of them. */
+static void bench_gaps(int sheets) {
+    kg_vec2 wide[] = {{0, 0}, {100, 0}, {100, 60}, {0, 60}},
+            narrow[] = {{0, 0}, {50, 0}, {50, 50}, {0, 50}};
+    kg_paper_sheet below = {.count = 4, .polygon = wide}, sheet = {.count = 4, .polygon = narrow};
+    kg_origami *o = kg_origami_create();
+    kg_status status = o ? kg_origami_add_sheet(o, &below, NULL) : KG_ERR_MEMORY;
+    for (int i = 0; i < sheets && !status; i++)
+        status = kg_origami_add_sheet(o, &sheet, NULL);
+    kg_fold f = kg_fold_default();
+    f.by_axis = true;
+    f.points[0] = kg_v3(60, 0, 0), f.points[1] = kg_v3(60, 60, 0);
+    f.vertex = kg_v3(100, 0, 0);
+    kg_fold_gap *gaps = NULL;
+    size_t count = 0;
+    double start = bench_now();
+    if (!status)
+        status = kg_fold_gaps(kg_origami_state_at(o, 0), &f, &gaps, &count, NULL);
+    char what[80];
+    snprintf(what, sizeof what, "origami: %zu gaps found in a pile of %d", count, sheets);
+    bench_row(status ? "origami: gaps, failed" : what, bench_now() - start, "ms", 0.2);
+    free(gaps);
     kg_origami_destroy(o);
 }
 
@@ -100,6 +153,8 @@ static void bench_layers(size_t faces) {
 
 void bench_origami(void) {
     bench_fold(1000);
+    bench_gaps(300);
+    bench_gaps(1000);
     bench_layers(70);
     bench_layers(150);
     bench_layers(250);

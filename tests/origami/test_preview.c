@@ -114,6 +114,33 @@ static void test_the_only_gap_of_a_pocket_is_found(void **user) {
     kg_origami_destroy(o);
 }
 
+/* A flap goes between any two sheets of a pile: those on top are offered, and are what they say. */
+static void test_gaps_of_a_tall_pile_are_the_uppermost(void **user) {
+    (void)user;
+    enum { SHEETS = 130 };
+    kg_origami *o = kg_origami_create();
+    add_rectangle(o, 0, 0, 100, 60);
+    for (int i = 0; i < SHEETS; i++)
+        add_rectangle(o, 0, 0, 50, 50);
+    kg_fold fold = fold_axis(kg_v3(60, 0, 0), kg_v3(60, 60, 0), kg_v3(100, 0, 0), 180);
+    kg_fold_gap *gaps;
+    size_t count;
+    kg_error error;
+    assert_int_equal(kg_fold_gaps(last(o), &fold, &gaps, &count, &error), KG_OK);
+    assert_int_equal(count, 64);
+    for (int i = 0; i < 64; i++) {
+        assert_int_equal(gaps[i].depth, i + 1);
+        assert_int_equal(gaps[i].upper, SHEETS - i);
+        assert_int_equal(gaps[i].lower, SHEETS - i - 1);
+    }
+    fold.between[0] = gaps[40].lower, fold.between[1] = gaps[40].upper;
+    free(gaps);
+    must_fold(o, fold);
+    for (int32_t i = 1; i <= SHEETS; i++)
+        assert_int_equal(kg_origami_order(last(o), i, SHEETS + 1), i <= SHEETS - 41 ? 1 : -1);
+    kg_origami_destroy(o);
+}
+
 static void test_random_previews_agree_with_folding(void **user) {
     (void)user;
     kg_random random = {7};
@@ -144,6 +171,7 @@ int main(void) {
         cmocka_unit_test(test_layers_are_counted_from_the_top),
         cmocka_unit_test(test_a_face_in_the_way_is_named),
         cmocka_unit_test(test_the_only_gap_of_a_pocket_is_found),
+        cmocka_unit_test(test_gaps_of_a_tall_pile_are_the_uppermost),
         cmocka_unit_test(test_random_previews_agree_with_folding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

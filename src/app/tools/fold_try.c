@@ -63,11 +63,10 @@ const kg_fold_tool *kg_fold_tool_seen(const kg_editor *e) {
 
 /* ---- layers ------------------------------------------------------------------------------ */
 
-/* Loop b lies on a, seen from the side it folds to. */
-static bool lies_on(const kg_origami_state *s, const kg_fold_tool *t, int32_t a, int32_t b) {
+/* The side of a loop that is on the side it folds to: 1 its front, -1 its back. */
+static int upper_side(const kg_origami_state *s, const kg_fold_tool *t, int32_t loop) {
     kg_vec3 normal = s->groups.items[t->group].normal;
-    double up = t->sign * t->angle_deg * kg_dot(kg_origami_normal(s, a), normal);
-    return kg_origami_order(s, a, b) * (up > 0 ? 1 : -1) > 0;
+    return t->sign * t->angle_deg * kg_dot(kg_origami_normal(s, loop), normal) > 0 ? 1 : -1;
 }
 
 bool kg_fold_has_corner(const kg_origami_state *s, int32_t loop, kg_vec3 p) {
@@ -88,22 +87,38 @@ void kg_fold_find_pile(kg_editor *e, kg_fold_tool *t) {
     if (!t->pile || t->vertex < 0)
         return;
     kg_vec3 at = s->vertices.items[t->vertex].position;
-    for (size_t i = 0; i < loops; i++)
-        if (s->loops.items[i].group == t->group && kg_fold_has_corner(s, (int32_t)i, at))
+    int32_t *members = malloc((loops + 1) * sizeof *members), count = 0;
+    int32_t *todo = malloc((loops + 1) * sizeof *todo), ends = 0;
+    int32_t *above = calloc(loops + 1, sizeof *above);
+    bool ok = members && todo && above;
+    for (size_t i = 0; i < loops && ok; i++)
+        if (s->loops.items[i].group == t->group && kg_fold_has_corner(s, (int32_t)i, at)) {
             t->pile[i] = 1;
-    /* each below all that lie on it; layers in a ring would sink for ever */
-    bool sinks = true;
-    for (size_t round = 0; round < loops && sinks; round++) {
-        sinks = false;
-        for (size_t i = 0; i < loops; i++)
-            for (size_t k = 0; k < loops && t->pile[i]; k++)
-                if (k != i && t->pile[k] >= t->pile[i] && lies_on(s, t, (int32_t)i, (int32_t)k)) {
-                    t->pile[i] = t->pile[k] + 1;
-                    sinks = true;
-                }
+            members[count++] = (int32_t)i;
+        }
+    for (int32_t i = 0; i < count; i++) {
+        int side = upper_side(s, t, members[i]);
+        for (int32_t k = 0; k < count; k++)
+            above[members[i]] += kg_origami_order(s, members[i], members[k]) == side;
+        if (above[members[i]] == 0)
+            todo[ends++] = members[i];
     }
-    for (size_t i = 0; i < loops; i++)
-        t->pile_count = t->pile[i] > t->pile_count ? t->pile[i] : t->pile_count;
+    /* each below all that lie on it; layers in a ring stay where they are */
+    for (int32_t i = 0; i < ends; i++) {
+        int32_t loop = todo[i], side = upper_side(s, t, loop), depth = t->pile[loop];
+        t->pile_count = depth > t->pile_count ? depth : t->pile_count;
+        for (int32_t k = 0; k < count; k++) {
+            int32_t lower = members[k];
+            if (kg_origami_order(s, loop, lower) != -side)
+                continue;
+            t->pile[lower] = depth + 1 > t->pile[lower] ? depth + 1 : t->pile[lower];
+            if (--above[lower] == 0)
+                todo[ends++] = lower;
+        }
+    }
+    free(members);
+    free(todo);
+    free(above);
 }
 
 static int32_t topmost(const kg_fold_tool *t, const kg_origami_state *s) {
