@@ -207,36 +207,58 @@ static window window_around(const mender *m, int x0, int x1, int wider) {
     return w;
 }
 
+/* A change, what it costs, and how many patches and cells more then hold. */
+typedef struct offer {
+    const kg_oa_mend *mend;
+    size_t cost, gain;
+} offer;
+
+static bool is_cheaper(const offer *a, const offer *b) {
+    return a->gain > 0 && (b->gain == 0 || a->gain * b->cost > b->gain * a->cost);
+}
+
+static size_t gain_of(const verdict *was, const verdict *v) {
+    if (!is_better(v, was))
+        return 0;
+    return was->missing - v->missing + (v->loose < was->loose ? was->loose - v->loose : 0);
+}
+
+/* What a change of a window is worth. One too dear, even if it firmed everything, is not looked at
+ * closer. */
+static kg_status try_mend(mender *m, const kg_oa_mend *mend, window w, const verdict *was,
+                          offer *out, kg_error *error) {
+    kg_status status = KG_OK;
+    change(m, mend, w);
+    *out =
+        (offer){mend, kg_oa_mend_cost(m->card, m->before, w.x0, w.x1), was->loose + was->missing};
+    if (out->cost == 0) {
+        out->gain = 0;
+    } else if (out->cost <= m->limit * out->gain) {
+        verdict v = {0};
+        status = judge_part(m, w, &v, error);
+        out->gain = gain_of(was, &v);
+    }
+    copy_window(m, m->card, m->before, w);
+    return status;
+}
+
 /* Makes the change that firms most patches of the window for its cost, if one does for that of
- * m->limit each; `out_price` is what it costs each, NOTHING_HELPS when none does. */
+ * m->limit each; `out_price` is what it costs each at least, NOTHING_HELPS when none does. */
 static kg_status mend_patch(mender *m, const kg_oa_patch *p, window w, size_t *out_price,
                             kg_error *error) {
-    kg_oa_mend mends[KG_OA_MENDS], *best = NULL;
-    size_t count = kg_oa_mends_of(m->now.sheet, p, m->wider, mends), best_gain = 0, best_cost = 1;
+    kg_oa_mend mends[KG_OA_MENDS];
+    size_t count = kg_oa_mends_of(m->now.sheet, p, m->wider, mends);
     verdict was = {0};
+    offer best = {0}, o;
     kg_status status = judge_part(m, w, &was, error);
     for (size_t i = 0; i < count && !status; i++) {
-        verdict v = {0};
-        change(m, &mends[i], w);
-        size_t cost = kg_oa_mend_cost(m->card, m->before, w.x0, w.x1);
-        if (cost > 0) {
-            status = judge_part(m, w, &v, error);
-            copy_window(m, m->card, m->before, w);
-        }
-        if (status || cost == 0 || !is_better(&v, &was))
-            continue;
-        size_t gain = was.loose - v.loose + (was.missing - v.missing);
-        if (v.loose > was.loose)
-            gain = was.missing - v.missing;
-        if (!best || gain * best_cost > best_gain * cost) {
-            best = &mends[i];
-            best_gain = gain;
-            best_cost = cost;
-        }
+        status = try_mend(m, &mends[i], w, &was, &o, error);
+        if (!status && is_cheaper(&o, &best))
+            best = o;
     }
-    *out_price = best ? (best_cost + best_gain - 1) / best_gain : NOTHING_HELPS;
+    *out_price = best.gain > 0 ? (best.cost + best.gain - 1) / best.gain : NOTHING_HELPS;
     if (!status && *out_price <= m->limit)
-        change(m, best, w);
+        change(m, best.mend, w);
     return status;
 }
 
