@@ -1,6 +1,7 @@
 """Folded sheets through the commands: python3 test_origami.py KATAGAMI"""
 
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -32,6 +33,13 @@ def sheet(folds=(), **more):
 
 
 HALF = {"from": [0, 0, 0], "to": [100, 100, 0], "angle_deg": 180}
+
+
+def at(angle):
+    """Where the folded corner of HALF is after so many degrees."""
+    turn, middle = math.radians(angle), 50
+    way = middle * (1 - math.cos(turn))
+    return [way, way, middle * 2 ** 0.5 * math.sin(turn)]
 
 
 def test_info_counts_folds_and_creases():
@@ -98,7 +106,14 @@ def test_the_crease_pattern_has_one_line_a_fold():
     for ending in ["svg", "pdf", "dxf"]:
         run("net", sheet([HALF]), "-o", f"p.{ending}")
         assert (HERE / f"p.{ending}").stat().st_size > 0
-    assert 'id="valley"' in (HERE / "p.svg").read_text(encoding="utf-8")
+    text = (HERE / "p.svg").read_text(encoding="utf-8")
+    assert 'id="valley"' in text and 'id="mark"' not in text
+    for angle in [180, 90, 30]:  # unfolded again, a crease is a mark
+        run("net", sheet([HALF | {"angle_deg": angle},
+                          {"axis": [[100, 0, 0], [0, 100, 0]], "vertex": at(angle),
+                           "angle_deg": -angle}]), "-o", "p.svg")
+        text = (HERE / "p.svg").read_text(encoding="utf-8")
+        assert 'id="valley"' not in text and 'id="mark"' in text, angle
 
 
 def corners(obj):
