@@ -6,6 +6,12 @@ enum { STEPS = 20 };
 /* Pivots below this, of unit vectors, are rounding: the system is singular. */
 #define LEAST_PIVOT 1e-14
 
+/* After a step this small the next one is exact; so is this one where it shrank by SHRINKS against
+ * the one before: errors go with the square of steps, so the point is then off by a share of
+ * SHRINKS² of the step, and the tangents, from before the step, by about SHRINKS². */
+#define NEAR 1e-8
+#define SHRINKS 1e-5
+
 /* A step in u, v on A and s, t on B. */
 typedef struct increment {
     double u, v, s, t;
@@ -78,6 +84,7 @@ kg_cross_point kg_crossing_at(const kg_patch *a, const kg_patch *b, const kg_cro
     kg_ruled ra = seen_from(a, p->x), rb = seen_from(b, p->x);
     /* u, s and all equations are divided by the size. */
     bool converged = false;
+    double before = NEAR;
     for (int k = 0; k < STEPS; k++) {
         kg_line x = kg_ruled_line(&ra, at.v), y = kg_ruled_line(&rb, at.t);
         kg_vec3 ddx, ddy;
@@ -99,6 +106,7 @@ kg_cross_point kg_crossing_at(const kg_patch *a, const kg_patch *b, const kg_cro
             break;
         at.u += size * to.u, at.v += to.v, at.s += size * to.s, at.t += to.t;
         double change = fabs(to.u) + fabs(to.v) + fabs(to.s) + fabs(to.t);
+        converged = converged || (change < NEAR && change <= SHRINKS * before);
         if (converged || change == 0) {
             point = kg_madd(kg_add(point, kg_scale(gap, 0.5)), size * to.u, on.xu);
             at.x = kg_add(kg_madd(point, to.v, xv), p->x);
@@ -110,7 +118,8 @@ kg_cross_point kg_crossing_at(const kg_patch *a, const kg_patch *b, const kg_cro
         }
         if (!(change < 1))
             break;
-        converged = change < 1e-8; /* one more step makes it exact */
+        converged = change < NEAR;
+        before = change;
     }
     /* Where the surfaces touch, or branches meet, the system is singular. */
     if (!converged || !(kg_dist(at.x, straight.x) <= length)) {
