@@ -95,6 +95,12 @@ static kg_status read_corners(const json_t *a, kg_vec2 **out, size_t *out_count,
 
 /* ---- commands ---------------------------------------------------------------------------- */
 
+/* Sheets beside each other are told apart by their fronts. */
+static uint32_t next_colour(const kg_editor *e) {
+    static const uint32_t fronts[] = {KG_SHEET_FRONT, 0x2b7bba, 0xe0a62e, 0x3f9a5a};
+    return fronts[kg_origami_sheet_count(kg_editor_origami(e)) % (sizeof fronts / sizeof *fronts)];
+}
+
 static void select_sheet(kg_editor *e, size_t sheet) {
     kg_editor_update(e);
     kg_sheets_of(e)->sheet = (int32_t)sheet;
@@ -122,7 +128,7 @@ static kg_status add(kg_editor *e, const json_t *a, kg_error *error) {
     size_t count = 0;
     /* a polygon says itself where it lies */
     bool placed = json_object_get(a, "at") || json_object_get(a, "polygon");
-    uint32_t front = KG_SHEET_FRONT, back = KG_SHEET_BACK;
+    uint32_t front = next_colour(e), back = KG_SHEET_BACK;
     kg_status status = read_vec2(a, "at", &at, error);
     if (!status)
         status = kg_argument_color(a, "front", &front, error);
