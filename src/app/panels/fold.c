@@ -128,6 +128,8 @@ static void show_end(kg_editor *e, const kg_fold_tool *t) {
         kg_ui_space();
         kg_ui_text_color(red, _("Refused"));
         kg_ui_text_wrapped(reason);
+        if (kg_fold_advice(t))
+            kg_ui_text_wrapped(kg_fold_advice(t));
     }
     if (t->phase != KG_PHASE_HELD)
         return;

@@ -11,8 +11,23 @@ enum { ROW_HEIGHT = 58, THUMB_WIDTH = 72, THUMB_HEIGHT = 54, DETAILS_HEIGHT = 66
 
 /* ---- rows -------------------------------------------------------------------------------- */
 
+/* Whether a fold, from 1, brings back what the one before it folded. */
+static bool unfolds(const kg_sheets *s, size_t step) {
+    if (step < 2 || step > kg_origami_step(s->origami))
+        return false;
+    const kg_origami_state *before = kg_origami_state_at(s->origami, step - 2),
+                           *after = kg_origami_state_at(s->origami, step);
+    for (size_t i = 0; i < before->vertices.count; i++)
+        if (kg_dist(before->vertices.items[i].position, after->vertices.items[i].position) >
+            1e-6 * before->size)
+            return false;
+    return true;
+}
+
 static void title_of(const kg_sheets *s, size_t step, char *out, size_t size) {
-    if (step > 0)
+    if (unfolds(s, step))
+        snprintf(out, size, "%zu  %s", step, _("Fold back"));
+    else if (step > 0)
         snprintf(out, size, "%zu  %s %.4g°", step, _("Fold"),
                  fabs(kg_origami_fold_at(s->origami, step - 1)->angle_deg));
     else

@@ -117,6 +117,8 @@ kg_status kg_fold_done(kg_editor *editor, kg_error *error) KG_CHECKED;
 kg_status kg_fold_back(kg_editor *editor, kg_error *error) KG_CHECKED;
 /* Why the fold being made is refused, translated. */
 void kg_fold_reason(const kg_fold_tool *tool, char *out, size_t size);
+/* What would help, translated; NULL: the reason says all. */
+const char *kg_fold_advice(const kg_fold_tool *tool);
 
 /* ---- among the files of the tool ------------------------------------------------------------ */
 

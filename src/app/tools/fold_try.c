@@ -275,6 +275,19 @@ void kg_fold_reason(const kg_fold_tool *t, char *out, size_t size) {
     }
 }
 
+const char *kg_fold_advice(const kg_fold_tool *t) {
+    switch (t->preview.fault) {
+    case KG_FOLD_IN_WAY:
+        return _("Stop before that angle, fold away what is in the way, or move more layers.");
+    case KG_FOLD_AT_EDGE:
+        return _("Fold to the other side (V), or move another number of layers.");
+    case KG_FOLD_HELD:
+        return _("Move more layers along (wheel), or unfold first what holds it.");
+    default:
+        return NULL;
+    }
+}
+
 kg_status kg_fold_add(kg_editor *e, const kg_fold *fold, kg_error *error) {
     kg_status status = kg_editor_begin(e, N_("Fold"), error);
     if (!status)
