@@ -182,8 +182,9 @@ KG_API kg_parts_options kg_document_parts_options(kg_document *document,
  * mm. */
 KG_API double kg_document_net_chord(const kg_net_options *options);
 
-/* The surface: one group per patch in document order, fronts outward, colours of the palette given
- * by `color` (linear RGBA of group i; NULL: grey). Constructions are left out. A card stands as
+/* The surface: one group per patch in document order, fronts outward, in their own colours, else
+ * those of `color` (linear RGBA, by the patch's id less one; of cards by group; NULL: grey).
+ * Constructions are left out. A card stands as
  * kg_oa_pose puts it, sheets are folded, a group each in the colour of its front. */
 typedef void (*kg_group_color)(size_t group, float out_rgba[4]);
 KG_API kg_status kg_document_mesh(const kg_document *document, kg_group_color color,

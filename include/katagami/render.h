@@ -28,6 +28,8 @@ typedef struct kg_color {
  * variants of them, repeating after 24. After Okabe & Ito, "Color Universal Design" (2008); their
  * black is replaced by a grey, so that shading shows on it. */
 KG_API kg_color kg_palette(size_t i);
+/* The same as linear light, opaque. */
+KG_API void kg_palette_linear(size_t i, float out_rgba[4]);
 
 /* From linear light, as meshes and glTF hold it. */
 KG_API kg_color kg_color_from_linear(const float rgba[4]);

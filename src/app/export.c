@@ -43,7 +43,8 @@ kg_status kg_export_guide(kg_document *document, const char *path, const kg_prog
 
 kg_status kg_export_mesh(kg_document *document, const char *path, kg_error *error) {
     kg_status status = kg_document_solve(document, KG_MESH_CHORD, error);
-    return status ? status : kg_document_export(document, path, NULL, error);
+    kg_group_color color = kg_document_model(document) ? kg_palette_linear : NULL;
+    return status ? status : kg_document_export(document, path, color, error);
 }
 
 static kg_status export_net(kg_document *document, const char *path, kg_error *error) {

@@ -31,9 +31,11 @@ void kg_color_print(kg_color c, char out[8]) {
     snprintf(out, 8, "#%06x", (unsigned)kg_color_to_rgb(c));
 }
 
-kg_color kg_patch_color(const kg_model_patch *patch, size_t index) {
+kg_color kg_patch_color(const kg_model_patch *patch) {
     kg_color color;
-    return kg_color_parse(kg_model_patch_color(patch), &color) ? color : kg_palette(index);
+    return kg_color_parse(kg_model_patch_color(patch), &color)
+               ? color
+               : kg_palette((size_t)(patch->id - 1));
 }
 
 kg_color kg_rank_color(int rank) {

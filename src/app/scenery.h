@@ -30,7 +30,7 @@ kg_status kg_scenery_thumbnail(kg_scenery *stage, const kg_overlay *overlay,
 kg_style kg_line_style(kg_color color, float width);
 
 /* The colour a patch is shown in: its own, else the palette's. */
-kg_color kg_patch_color(const kg_model_patch *patch, size_t index);
+kg_color kg_patch_color(const kg_model_patch *patch);
 bool kg_color_parse(const char *text, kg_color *out_color); /* "#rrggbb" */
 void kg_color_print(kg_color color, char out[8]);
 

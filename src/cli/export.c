@@ -1,5 +1,4 @@
 /* katagami export: the model's surface as a mesh file, or its crease pattern. */
-#include "base/color.h"
 #include "cli/card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -13,13 +12,6 @@ static const kg_option options[] = {
     {"step", 0, true, "N", "sheets after so many folds (all of them)"},
     {"tolerance", 0, true, "MM", "greatest chord error of the mesh (0.02)"},
 };
-
-static void patch_color(size_t group, float out_rgba[4]) {
-    kg_color c = kg_palette(group);
-    out_rgba[0] = kg_linear_of_srgb(c.r), out_rgba[1] = kg_linear_of_srgb(c.g),
-    out_rgba[2] = kg_linear_of_srgb(c.b);
-    out_rgba[3] = 1;
-}
 
 int kg_command_export(int argc, char **argv) {
     kg_arguments a;
@@ -45,7 +37,7 @@ int kg_command_export(int argc, char **argv) {
     if (!status) {
         kg_document_set_open(document, open_deg * KG_PI / 180);
         kg_card_warn(document, "export");
-        status = kg_document_export(document, path, patch_color, &error);
+        status = kg_document_export(document, path, kg_palette_linear, &error);
     }
     kg_document_destroy(document);
     return status ? kg_command_fail("export", &error) : KG_EXIT_DONE;

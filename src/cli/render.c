@@ -64,12 +64,11 @@ static void stage_clear(stage *s) {
     free(s->items);
 }
 
-/* Plain paper colours for sheets and cards, the palette for patches. */
+/* Sheets have two colours. */
 static kg_style style_of(kg_document *d, const kg_mesh *mesh, size_t group) {
     const kg_origami *origami = kg_document_origami(d);
     if (!origami)
-        return kg_style_default(kg_document_oa(d) ? kg_color_from_linear(mesh->groups[group].color)
-                                                  : kg_palette(group));
+        return kg_style_default(kg_color_from_linear(mesh->groups[group].color));
     uint32_t front, back;
     kg_origami_colours(origami, (int32_t)group, &front, &back);
     kg_style style = kg_style_default(kg_color_from_linear(mesh->groups[group].color));
@@ -98,7 +97,8 @@ static kg_status add_group(stage *s, const kg_mesh *mesh, size_t first, size_t c
 
 static kg_status add_model(stage *s, kg_document *d, kg_error *error) {
     kg_mesh *mesh;
-    kg_status status = kg_document_mesh(d, NULL, &mesh, error);
+    kg_status status =
+        kg_document_mesh(d, kg_document_model(d) ? kg_palette_linear : NULL, &mesh, error);
     if (status)
         return status;
     double crease = kg_document_model(d) ? PATCH_CREASE : CARD_CREASE;

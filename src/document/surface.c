@@ -1,6 +1,9 @@
 /* Surfaces of documents as meshes. */
 #include "document/document.h"
 
+#include "base/color.h"
+#include "model/edit.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +12,16 @@ static char *group_name(const kg_model_patch *p) {
     char number[32];
     snprintf(number, sizeof number, "patch %lld", (long long)p->id);
     return strdup(p->name[0] ? p->name : number);
+}
+
+/* A patch's own colour, "#rrggbb", as linear light; nothing when it has none. */
+static void own_color(const kg_model_patch *p, float out_rgba[4]) {
+    const char *text = kg_model_patch_color(p);
+    unsigned rgb;
+    if (!text || strlen(text) != 7 || sscanf(text, "#%6x", &rgb) != 1)
+        return;
+    for (int i = 0; i < 3; i++)
+        out_rgba[i] = kg_linear_of_srgb((float)(rgb >> (16 - 8 * i) & 255) / 255);
 }
 
 /* The pieces of one patch as a mesh with one group. */
@@ -93,7 +106,8 @@ kg_status kg_document_mesh(const kg_document *d, kg_group_color color, kg_mesh *
         if (p->construction)
             continue;
         if (color)
-            color(all->group_count, rgba);
+            color((size_t)(p->id - 1), rgba);
+        own_color(&d->model->patches[i], rgba);
         status = mesh_of_patch(p, &d->model->patches[i], rgba, &mesh, error);
         if (!status)
             status = kg_mesh_append(all, mesh, error);

@@ -24,6 +24,14 @@ kg_color kg_palette(size_t i) {
     }
 }
 
+void kg_palette_linear(size_t i, float out_rgba[4]) {
+    kg_color c = kg_palette(i);
+    out_rgba[0] = kg_linear_of_srgb(c.r);
+    out_rgba[1] = kg_linear_of_srgb(c.g);
+    out_rgba[2] = kg_linear_of_srgb(c.b);
+    out_rgba[3] = c.a;
+}
+
 kg_color kg_color_from_linear(const float rgba[4]) {
     kg_color c = {kg_srgb_of_linear(rgba[0]), kg_srgb_of_linear(rgba[1]),
                   kg_srgb_of_linear(rgba[2]), fminf(fmaxf(rgba[3], 0), 1)};

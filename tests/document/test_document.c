@@ -1,6 +1,7 @@
 /* Documents: surfaces as meshes, and references where the model says they are. */
 #include "base/file.h"
 #include "katagami/document.h"
+#include "model/edit.h"
 #include "tests/model/random_model.h"
 
 #include <unistd.h>
@@ -45,16 +46,20 @@ static void the_surface_has_a_group_for_every_part_patch(void **state) {
         free(p->name);
         p->name = checked(strdup("床"));
         insert_trim(p, 0, trim_by(5)); /* two pieces, one group */
-        add_patch(model, 1, flat_input(kg_v3(0, 0, 9), kg_v3(100, 0, 9), kg_v3(0, 1, 0), -5, 5))
-            ->hidden = true;
+        p = add_patch(model, 1,
+                      flat_input(kg_v3(0, 0, 9), kg_v3(100, 0, 9), kg_v3(0, 1, 0), -5, 5));
+        p->hidden = true;
+        assert_int_equal(kg_model_set_patch_color(p, "#00ff80", NULL), KG_OK);
         kg_document *d = document_of(model, NULL);
         kg_mesh *mesh = NULL;
         assert_int_equal(kg_document_mesh(d, color_by_group, &mesh, NULL), KG_OK);
         assert_int_equal(mesh->group_count, 2);
         assert_string_equal(mesh->groups[0].name, "床");
         assert_string_equal(mesh->groups[1].name, "patch 1");
-        for (size_t i = 0; i < 2; i++)
-            assert_near((double)mesh->groups[i].color[0], (double)i, 0);
+        assert_near((double)mesh->groups[0].color[0], 1,
+                    0); /* of the palette, by its id less one */
+        assert_near((double)mesh->groups[1].color[1], 1, 1e-6); /* its own */
+        assert_near((double)mesh->groups[1].color[2], 0.2158605, 1e-6);
         kg_vec3 up = kg_v3(0, 0, flip ? -1 : 1); /* n = p' x d */
         assert_near(area_of_group(mesh, 0, &up), 1e4, 1e-6);
         assert_near(area_of_group(mesh, 1, NULL), 1e3, 1e-6);

@@ -86,7 +86,7 @@ kg_status kg_mend_split(kg_editor *e, int64_t id, kg_error *error) {
     kg_status status = kg_patch_divide(&p->input, &parts, error);
     char *name = status ? NULL : strdup(p->name);
     char color[8]; /* as it is shown: the parts stay one thing to the eye */
-    kg_color_print(kg_patch_color(p, (size_t)(p - m->patches)), color);
+    kg_color_print(kg_patch_color(p), color);
     if (!status && !name)
         status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
     int64_t half = 0, plane = 0, cutters[2] = {0, 0};

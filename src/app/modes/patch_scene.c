@@ -242,7 +242,7 @@ static void add_patch(kg_overlay *o, const kg_editor *e, size_t index, const pat
     const kg_solved_patch *solved = kg_solution_patch(kg_editor_solution(e), index);
     int rank = kg_editor_selection_rank(e, p->id);
     bool hovered = e->hover_patch == p->id;
-    kg_color color = kg_patch_color(p, index);
+    kg_color color = kg_patch_color(p);
     color.a = (float)(p->construction ? fmin(e->patch_opacity, 0.25) : e->patch_opacity);
     kg_style surface = kg_style_default(color);
     if (rank >= 0) {

@@ -174,7 +174,7 @@ static void fill_part(const kg_net_view *v, const kg_editor *e, size_t index, kg
     size_t patch = m ? patch_index(m, part->source) : 0;
     int rank = kg_editor_selection_rank(e, part->source);
     bool hovered = m && e->hover_patch == part->source;
-    kg_color color = m && patch < m->patch_count ? kg_patch_color(&m->patches[patch], patch) : lit;
+    kg_color color = m && patch < m->patch_count ? kg_patch_color(&m->patches[patch]) : lit;
     if (rank >= 0)
         color = kg_rank_color(rank);
     color.a = hovered ? 0.5F : rank >= 0 ? 0.34F : 0.16F;

@@ -29,8 +29,8 @@ static void set_color(kg_editor *e, int64_t patch, kg_color color) {
 }
 
 /* The colour follows the picker live; letting go ends the step. */
-static void color_cell(kg_editor *e, kg_model_patch *p, size_t index) {
-    kg_color color = kg_patch_color(p, index);
+static void color_cell(kg_editor *e, kg_model_patch *p) {
+    kg_color color = kg_patch_color(p);
     kg_error error;
     unsigned result = kg_ui_color_field("##color", &color);
     if (result & KG_FIELD_CHANGED && !kg_editor_begin(e, N_("Colour"), &error))
@@ -63,7 +63,7 @@ static void row(kg_app *app, size_t index) {
         command = "patch.hide";
     kg_ui_tooltip(_("Show or hide"));
     kg_ui_table_next();
-    color_cell(e, p, index);
+    color_cell(e, p);
     kg_ui_table_next();
     snprintf(number, sizeof number, "%lld", (long long)id);
     kg_ui_text_dim(number);
