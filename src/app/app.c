@@ -154,7 +154,8 @@ static void give_to_app(kg_app *app, const kg_event *event) {
         kg_dialogs_go_on(app, KG_FOR_QUIT);
         break;
     case KG_EVENT_DROP:
-        kg_app_open(app, event->path);
+        if (event->path) /* memory ran out otherwise */
+            kg_app_open(app, event->path);
         break;
     default:
         break;

@@ -1,3 +1,7 @@
+/* realpath is an extension of POSIX */
+#undef _POSIX_C_SOURCE
+#define _XOPEN_SOURCE 700
+
 #include "base/file.h"
 #include "base/phrase.h"
 #include "base/progress.h"
@@ -76,12 +80,21 @@ kg_status kg_file_read(const char *path, char **out_data, size_t *out_size, kg_e
     return kg_file_read_telling(path, NULL, out_data, out_size, error);
 }
 
+/* The file that `path` means in the end: a rename onto a symbolic link would put a file in the
+ * link's place. What is not there yet, or cannot be looked up, stays as it is named. free() it. */
+static char *target_of(const char *path) {
+    char *target = realpath(path, NULL);
+    return target ? target : strdup(path);
+}
+
 kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *error) {
-    size_t n = strlen(path);
-    char *name = malloc(n + 8);
-    if (!name)
+    char *target = target_of(path);
+    size_t n = target ? strlen(target) : 0;
+    char *name = target ? realloc(target, n + 8) : NULL;
+    if (!name) {
+        free(target);
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", path);
-    memcpy(name, path, n);
+    }
     memcpy(name + n, ".XXXXXX", 8);
     int fd = mkstemp(name);
     if (fd < 0) {
@@ -110,9 +123,11 @@ kg_status kg_file_temporary(const char *path, char **out_temporary, kg_error *er
 }
 
 kg_status kg_file_commit(const char *temporary, const char *path, kg_error *error) {
-    int fd = open(temporary, O_RDONLY);
-    bool done = fd >= 0 && fsync(fd) == 0 && rename(temporary, path) == 0;
+    char *target = target_of(path);
+    int fd = target ? open(temporary, O_RDONLY) : -1;
+    bool done = fd >= 0 && fsync(fd) == 0 && rename(temporary, target) == 0;
     int saved = errno;
+    free(target);
     if (fd >= 0)
         close(fd);
     if (!done) {

@@ -101,6 +101,29 @@ static void writing_replaces_the_whole_file_or_nothing(void **state) {
     assert_int_equal(kg_file_read(path, &data, &size, &e), KG_ERR_IO);
 }
 
+static void writing_through_a_link_leaves_the_link(void **state) {
+    (void)state;
+    char dir[] = "/tmp/kg-link-XXXXXX";
+    assert_non_null(mkdtemp(dir));
+    char path[64], link[64];
+    snprintf(path, sizeof path, "%s/a.txt", dir);
+    snprintf(link, sizeof link, "%s/b.txt", dir);
+    assert_int_equal(kg_file_write(path, "old", 3, NULL), KG_OK);
+    assert_int_equal(symlink("a.txt", link), 0);
+    assert_int_equal(kg_file_write(link, "new", 3, NULL), KG_OK);
+    struct stat s;
+    assert_int_equal(lstat(link, &s), 0);
+    assert_true(S_ISLNK(s.st_mode));
+    char *data;
+    size_t size;
+    assert_int_equal(kg_file_read(path, &data, &size, NULL), KG_OK);
+    assert_string_equal(data, "new");
+    free(data);
+    unlink(link);
+    unlink(path);
+    assert_int_equal(rmdir(dir), 0); /* nothing else is left */
+}
+
 static void endings_are_found_in_capitals_too(void **state) {
     (void)state;
     assert_true(kg_file_ends_in("a/CRANE.CP", ".cp"));
@@ -138,6 +161,7 @@ int main(void) {
         cmocka_unit_test(without_a_catalogue_texts_stay_as_they_are),
         cmocka_unit_test(impossible_reserve_leaves_the_array),
         cmocka_unit_test(writing_replaces_the_whole_file_or_nothing),
+        cmocka_unit_test(writing_through_a_link_leaves_the_link),
         cmocka_unit_test(endings_are_found_in_capitals_too),
         cmocka_unit_test(stems_lack_folder_and_last_ending),
         cmocka_unit_test(colours_come_back_from_linear_light),

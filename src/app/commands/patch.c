@@ -238,9 +238,11 @@ static kg_status set_one(kg_editor *e, int64_t id, const json_t *a, kg_error *er
     for (size_t i = 0; i < input.point_count && points; i++)
         json_array_append_new(
             points, json_pack("[fff]", input.points[i].x, input.points[i].y, input.points[i].z));
-    kg_status status = KG_ERR_MEMORY;
-    if (all && json_object_set(all, "points", points) == 0 &&
-        json_object_update(all, (json_t *)(uintptr_t)a) == 0)
+    kg_status status = KG_OK;
+    if (!all || json_object_set(all, "points", points) != 0 ||
+        json_object_update(all, (json_t *)(uintptr_t)a) != 0)
+        status = kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (!status)
         status = read_input(all, &input, error);
     if (!status)
         status = kg_patch_init(&input, &patch, error);
