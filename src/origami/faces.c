@@ -43,7 +43,14 @@ static double turn(kg_vec2 a, kg_vec2 b, kg_vec2 c) {
     return kg_cross2(kg_sub2(b, a), kg_sub2(c, b));
 }
 
+/* A slit ends there: the outline turns back along its other side. */
+static bool is_tip(const int32_t *c, size_t n, size_t i) {
+    return n > 2 && c[(i + n - 1) % n] == c[(i + 1) % n];
+}
+
 static bool is_concave(const kg_origami_state *s, const int32_t *c, size_t n, size_t i) {
+    if (is_tip(c, n, i))
+        return true;
     kg_vec2 a = paper(s, c[(i + n - 1) % n]), b = paper(s, c[i]), d = paper(s, c[(i + 1) % n]);
     return turn(a, b, d) < CONCAVE * kg_dist2(a, b) * kg_dist2(b, d);
 }
@@ -52,6 +59,8 @@ static bool is_concave(const kg_origami_state *s, const int32_t *c, size_t n, si
 static bool looks_inside(const kg_origami_state *s, const int32_t *c, size_t n, size_t i,
                          kg_vec2 target) {
     kg_vec2 a = paper(s, c[(i + n - 1) % n]), b = paper(s, c[i]), d = paper(s, c[(i + 1) % n]);
+    if (is_tip(c, n, i))
+        return turn(b, d, target) != 0 || kg_dot2(kg_sub2(d, b), kg_sub2(target, b)) < 0;
     bool after = turn(b, d, target) > 0, before = turn(a, b, target) > 0;
     return turn(a, b, d) >= 0 ? after && before : after || before;
 }
@@ -62,8 +71,8 @@ static bool is_diagonal(const kg_origami_state *s, const int32_t *c, size_t n, s
         return false;
     for (size_t k = 0; k < n; k++) {
         size_t l = (k + 1) % n;
-        if (k == i || k == j || l == i || l == j)
-            continue;
+        if (c[k] == c[i] || c[k] == c[j] || c[l] == c[i] || c[l] == c[j])
+            continue; /* both sides of a slit have the same vertices */
         kg_vec2 a = paper(s, c[k]), b = paper(s, c[l]);
         double ap = turn(p, q, a), bp = turn(p, q, b), pa = turn(a, b, p), qa = turn(a, b, q);
         if (ap * bp <= 0 && pa * qa <= 0)

@@ -112,15 +112,17 @@ static kg_status read_edge(kg_reader *p, const frame *f, size_t i, size_t base, 
 }
 
 static kg_status read_faces(kg_reader *p, const json_t *list, kg_pattern *out) {
-    int32_t *corners = malloc((out->vertices.count + 1) * sizeof *corners);
+    size_t most = 2 * out->edges.count; /* a face has both sides of a cut that ends in it */
+    int32_t *corners = malloc((most + 1) * sizeof *corners);
     kg_status status = corners ? KG_OK : KG_ERR_MEMORY;
     for (size_t i = 0; i < json_array_size(list) && !status; i++) {
         const json_t *face = json_array_get(list, i);
         size_t n = json_array_size(face);
         double twice = 0;
         kg_read_enter(p, NULL, i);
-        if (n < 3 || n > out->vertices.count)
-            status = kg_read_fail(p, "a face has 3 or more vertices, each once");
+        if (n < 3 || n > most)
+            status =
+                kg_read_fail(p, "a face has 3 or more vertices, and both sides of an edge at most");
         for (size_t k = 0; k < n && !status; k++)
             status = kg_read_index(p, json_array_get(face, k), 0, (int64_t)out->vertices.count - 1,
                                    &corners[k]);

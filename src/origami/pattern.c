@@ -64,7 +64,7 @@ static int compare_edges(const void *a, const void *b) {
         if (x->ends[k] != y->ends[k])
             return x->ends[k] < y->ends[k] ? -1 : 1;
     /* of the same line drawn twice the border counts, then creases, then flat lines */
-    static const char rank[] = "BCMVUF";
+    static const char rank[] = "BCMVUFJ";
     long rx = strchr(rank, x->assignment) - rank, ry = strchr(rank, y->assignment) - rank;
     return rx < ry ? -1 : rx > ry;
 }
@@ -236,6 +236,7 @@ static kg_status add_edges(kg_origami_state *s, const kg_pattern *p) {
         bool crease = e->assignment == 'M' || e->assignment == 'V' || e->assignment == 'F';
         kg_paper_edge_kind kind = crease                 ? KG_PAPER_CREASE
                                   : e->assignment == 'U' ? KG_PAPER_OPEN
+                                  : e->assignment == 'J' ? KG_PAPER_JOIN
                                                          : KG_PAPER_BORDER;
         status = kg_state_add_edge(s, e->ends[0], e->ends[1], kind,
                                    kind == KG_PAPER_BORDER ? 0 : e->angle);
@@ -348,8 +349,57 @@ static kg_status find_sheets(kg_origami_state *s) {
     return KG_OK;
 }
 
+typedef struct face_side {
+    int32_t from, to, face;
+} face_side;
+
+static int compare_sides(const void *a, const void *b) {
+    const face_side *x = a, *y = b;
+    if (x->from != y->from)
+        return x->from < y->from ? -1 : 1;
+    return x->to < y->to ? -1 : x->to > y->to;
+}
+
+/* The face left of an edge that goes between two vertices; -1 when there is none. */
+static int32_t face_beside(const face_side *sides, size_t count, int32_t from, int32_t to) {
+    face_side key = {from, to, -1};
+    const face_side *found = bsearch(&key, sides, count, sizeof *sides, compare_sides);
+    return found ? found->face : -1;
+}
+
+/* Cuts may end inside a face, which then has both sides of them; creases may not. */
+static kg_status check_ends(const kg_pattern *p, kg_error *error) {
+    size_t count = 0;
+    face_side *sides = malloc((p->faces.corners.count + 1) * sizeof *sides);
+    kg_status status = sides ? KG_OK : KG_ERR_MEMORY;
+    for (size_t f = 0; f + 1 < p->faces.starts.count && !status; f++) {
+        const int32_t *c = p->faces.corners.items + p->faces.starts.items[f];
+        size_t n = (size_t)(p->faces.starts.items[f + 1] - p->faces.starts.items[f]);
+        for (size_t i = 0; i < n; i++)
+            sides[count++] = (face_side){c[i], c[(i + 1) % n], (int32_t)f};
+    }
+    if (count > 0)
+        qsort(sides, count, sizeof *sides, compare_sides);
+    for (size_t i = 0; i < p->edges.count && !status; i++) {
+        const kg_pattern_edge *e = &p->edges.items[i];
+        int32_t face = face_beside(sides, count, e->ends[0], e->ends[1]);
+        if (face < 0 || e->assignment == 'B' || e->assignment == 'C' ||
+            face_beside(sides, count, e->ends[1], e->ends[0]) != face)
+            continue;
+        kg_vec2 from = p->vertices.items[e->ends[0]], to = p->vertices.items[e->ends[1]];
+        status = kg_fail(error, KG_ERR_INPUT,
+                         "the line from (%g, %g) to (%g, %g) ends inside a face: creases go on "
+                         "to other lines or to the border",
+                         from.x, from.y, to.x, to.y);
+    }
+    free(sides);
+    return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
+}
+
 kg_status kg_pattern_state(kg_pattern *p, kg_origami_state **out_state, kg_error *error) {
     kg_status status = p->faces.starts.count == 0 ? kg_pattern_trace(p, error) : KG_OK;
+    if (!status)
+        status = check_ends(p, error);
     if (status)
         return status;
     kg_origami_state *s = kg_state_create();
@@ -369,11 +419,6 @@ kg_status kg_pattern_state(kg_pattern *p, kg_origami_state **out_state, kg_error
         int32_t a = kg_loop_of(s, (int32_t)(2 * e)), b = kg_loop_of(s, (int32_t)(2 * e + 1));
         kg_vec3 from = s->vertices.items[s->halves.items[2 * e].origin].position,
                 to = s->vertices.items[s->halves.items[2 * e + 1].origin].position;
-        if (a == b && a >= 0)
-            status = kg_fail(error, KG_ERR_INPUT,
-                             "the line from (%g, %g) to (%g, %g) ends inside a face: creases go on "
-                             "to other lines or to the border",
-                             from.x, from.y, to.x, to.y);
         if (a < 0 && b < 0)
             status = kg_fail(error, KG_ERR_INPUT,
                              "the line from (%g, %g) to (%g, %g) lies outside the paper: the "

@@ -6,7 +6,8 @@
 #include "katagami/origami.h"
 #include "origami/state.h"
 
-/* In FOLD's letters: B border, M mountain, V valley, F flat, U mountain or valley, C cut. */
+/* In FOLD's letters: B border, M mountain, V valley, F flat, U mountain or valley, C cut,
+ * J where a face is divided. */
 typedef struct kg_pattern_edge {
     int32_t ends[2];
     char assignment;

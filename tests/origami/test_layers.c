@@ -6,6 +6,7 @@
 #include "tests/origami/stack.h"
 
 #include <stdlib.h>
+#include <unistd.h>
 
 static kg_status import(const char *text, const char *name, kg_origami **out,
                         kg_layer_report *report, kg_error *error) {
@@ -312,6 +313,103 @@ static void test_paper_opens_along_a_slit(void **user) {
     kg_origami_destroy(o);
 }
 
+/* A slit that ends inside a face, and a fold through its end: beside it the paper is folded on both
+ * sides, each on its own. */
+static void test_a_cut_ends_inside_a_face(void **user) {
+    (void)user;
+    kg_origami *o, *again;
+    kg_layer_report report;
+    kg_error error = {0};
+    if (import("{\"vertices_coords\": [[0,0],[4,0],[4,4],[2,4],[0,4],[2,1]],"
+               "\"edges_vertices\": [[0,1],[1,2],[2,3],[3,4],[4,0],[3,5]],"
+               "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"B\",\"C\"]}",
+               "slit.fold", &o, &report, &error))
+        fail_msg("%s", error.message);
+    const kg_origami_state *s = last(o);
+    assert_int_equal(s->vertices.count, 7); /* two at the border */
+    int borders = 0;
+    double area = 0;
+    for (size_t e = 0; e < s->edges.count; e++)
+        borders += s->edges.items[e].kind == KG_PAPER_BORDER;
+    assert_int_equal(borders, 7);
+    for (size_t i = 0; i < s->loops.count; i++) {
+        kg_vec2 p[16];
+        size_t n = kg_state_polygon(s, (int32_t)i, NULL, NULL, p);
+        for (size_t k = 0; k < n; k++)
+            area += kg_cross2(p[k], p[(k + 1) % n]) / 2;
+    }
+    assert_near(area, 16, 1e-12);
+    assert_sound(s, 1e-9);
+    char *text;
+    size_t size;
+    if (kg_origami_fold_text(o, 0, false, &text, &size, &error) ||
+        kg_origami_import_memory(text, size, "again.fold", NULL, &again, NULL, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(last(again)->vertices.count, 7);
+    assert_sound(last(again), 1e-9);
+    /* one flap beside the slit folds down without the other */
+    must_fold(o, fold_axis(kg_v3(0, 2, 0), kg_v3(4, 2, 0), kg_v3(0, 4, 0), 180));
+    assert_sound(last(o), 1e-9);
+    double top = 0;
+    for (size_t i = 0; i < last(o)->vertices.count; i++)
+        top = fmax(top, last(o)->vertices.items[i].position.y);
+    assert_near(top, 4, 1e-9);
+    free(text);
+    kg_origami_destroy(o);
+    kg_origami_destroy(again);
+    /* a crease cannot end there */
+    assert_int_equal(import("1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n2 2 4 2 1\n", "bad.cp", &o,
+                            &report, &error),
+                     KG_ERR_INPUT);
+    assert_non_null(strstr(error.message, "ends inside a face"));
+}
+
+/* Cuts in .cp files are lines of the border inside it: a slit whose sides fold apart, one that ends
+ * inside a face, and a window. */
+static void test_cuts_in_cp_files(void **user) {
+    (void)user;
+    kg_origami *o, *again;
+    kg_layer_report report;
+    kg_error error = {0};
+    static const char sheet[] = "1 0 0 8 0\n1 8 0 8 8\n1 8 8 0 8\n1 0 8 0 0\n";
+    char text[512];
+    snprintf(text, sizeof text, "%s1 4 8 4 4\n3 0 4 4 4\n4 4 4 8 4\n", sheet);
+    if (import(text, "slit.cp", &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(last(o)->loops.count, 3);
+    assert_int_equal(last(o)->vertices.count, 9);
+    assert_near(report.states, 1, 0);
+    assert_sound(last(o), 1e-9);
+    char folder[] = "/tmp/katagami-cuts-XXXXXX", path[64];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/slit.cp", folder);
+    assert_int_equal(kg_origami_export(o, 0, false, path, &error), KG_OK);
+    if (kg_origami_import(path, NULL, &again, &report, &error))
+        fail_msg("%s", error.message);
+    unlink(path);
+    rmdir(folder);
+    assert_int_equal(last(again)->loops.count, 3);
+    assert_int_equal(last(again)->vertices.count, 9);
+    assert_sound(last(again), 1e-9);
+    kg_origami_destroy(o);
+    kg_origami_destroy(again);
+    snprintf(text, sizeof text, "%s1 4 8 4 4\n", sheet);
+    if (import(text, "tip.cp", &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(last(o)->vertices.count, 7);
+    assert_sound(last(o), 1e-9);
+    kg_origami_destroy(o);
+    snprintf(text, sizeof text,
+             "%s1 2 2 6 2\n1 6 2 6 6\n1 6 6 2 6\n1 2 6 2 2\n4 0 0 2 2\n4 8 0 6 2\n4 8 8 6 6\n4 0 8 "
+             "2 6\n",
+             sheet);
+    if (import(text, "window.cp", &o, &report, &error))
+        fail_msg("%s", error.message);
+    assert_int_equal(last(o)->loops.count, 4); /* what is bordered all around is a hole */
+    assert_sound(last(o), 1e-9);
+    kg_origami_destroy(o);
+}
+
 /* Both creases that meet at the slit fold on their own: at its middle there are two vertices, and
  * neither has to meet Kawasaki's or Maekawa's condition. */
 static void test_creases_end_at_an_inner_slit(void **user) {
@@ -386,6 +484,8 @@ int main(void) {
         cmocka_unit_test(test_wide_middle_between_two_valleys_is_impossible),
         cmocka_unit_test(test_every_pair_that_overlaps_counts),
         cmocka_unit_test(test_paper_opens_along_a_slit),
+        cmocka_unit_test(test_a_cut_ends_inside_a_face),
+        cmocka_unit_test(test_cuts_in_cp_files),
         cmocka_unit_test(test_creases_end_at_an_inner_slit),
         cmocka_unit_test(test_a_ring_of_cuts_makes_two_sheets),
         cmocka_unit_test(test_search_ends_when_its_steps_are_over),
