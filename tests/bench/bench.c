@@ -17,10 +17,18 @@
 
 extern char **environ;
 
-double bench_now(void) {
+static double read_clock(clockid_t clock) {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(clock, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+double bench_now(void) {
+    return read_clock(CLOCK_MONOTONIC);
+}
+
+double bench_work(void) {
+    return read_clock(CLOCK_PROCESS_CPUTIME_ID);
 }
 
 void bench_row(const char *what, double seconds, const char *unit, double target) {
@@ -32,9 +40,23 @@ void bench_row(const char *what, double seconds, const char *unit, double target
     fflush(stdout);
 }
 
-/* Runs a command `runs` times; medians of wall time and peak memory. */
-static int run_process(char *const argv[], int runs, double *out_seconds, double *out_mb) {
-    double wall[32];
+static double median(double *values, int count) {
+    for (int i = 1; i < count; i++)
+        for (int k = i; k > 0 && values[k] < values[k - 1]; k--) {
+            double t = values[k];
+            values[k] = values[k - 1], values[k - 1] = t;
+        }
+    return values[count / 2];
+}
+
+static double seconds_of(struct timeval t) {
+    return (double)t.tv_sec + 1e-6 * (double)t.tv_usec;
+}
+
+/* Runs a command `runs` times; medians of wall time and work, and peak memory. */
+static int run_process(char *const argv[], int runs, double *out_seconds, double *out_work,
+                       double *out_mb) {
+    double wall[32], work[32];
     long peak = 0;
     posix_spawn_file_actions_t quiet;
     posix_spawn_file_actions_init(&quiet);
@@ -50,14 +72,12 @@ static int run_process(char *const argv[], int runs, double *out_seconds, double
         if (wait4(pid, &status, 0, &usage) < 0 || status != 0)
             return -1;
         wall[i] = bench_now() - start;
+        work[i] = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
         peak = usage.ru_maxrss;
-        for (int k = i; k > 0 && wall[k] < wall[k - 1]; k--) {
-            double t = wall[k];
-            wall[k] = wall[k - 1], wall[k - 1] = t;
-        }
     }
     posix_spawn_file_actions_destroy(&quiet);
-    *out_seconds = wall[runs / 2];
+    *out_seconds = median(wall, runs);
+    *out_work = median(work, runs);
     *out_mb = (double)peak / 1024;
     return 0;
 }
@@ -84,13 +104,14 @@ static int bench_processes(char *program, char *model) {
     };
     int code = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        double seconds, mb;
-        if (run_process(rows[i].argv, 11, &seconds, &mb)) {
+        double seconds, work, mb;
+        if (run_process(rows[i].argv, 11, &seconds, &work, &mb)) {
             printf("%-58s failed\n", rows[i].what);
             code = 1;
             continue;
         }
         bench_row(rows[i].what, seconds, "ms", rows[i].target);
+        bench_row("  work of the processor in it", work, "ms", 0);
         printf("%-58s %10.1f MB", "  peak memory", mb);
         if (rows[i].memory > 0)
             printf("   target %g MB%s", rows[i].memory, mb <= rows[i].memory ? "" : "  MISSED");

@@ -7,6 +7,10 @@
 /* Seconds of a clock that only runs forward. */
 double bench_now(void);
 
+/* Seconds of work that this process has done: what one core needs, whatever else the machine does.
+ */
+double bench_work(void);
+
 /* Prints a line; `unit` is "ns", "us" or "ms". A target of 0 is none. */
 void bench_row(const char *what, double seconds, const char *unit, double target);
 

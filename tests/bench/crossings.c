@@ -121,21 +121,21 @@ void bench_crossings(void) {
     int hits = 0;
     for (int i = 0; i < total; i++) {
         kg_crossings c;
-        double start = bench_now();
+        double start = bench_work();
         if (kg_crossings_find(&a[i], &b[i], ACCURACY, &c, NULL))
             continue;
-        spent[meets[i]] += bench_now() - start;
+        spent[meets[i]] += bench_work() - start;
         kg_crossings_clear(&c);
         if (!meets[i])
             continue;
-        start = bench_now();
+        start = bench_work();
         hits += trim_pair(&a[i], &b[i]);
-        trimming += bench_now() - start;
+        trimming += bench_work() - start;
         int rays = rulings_needed(&a[i]), count = rulings_needed(&b[i]);
-        start = bench_now();
+        start = bench_work();
         strips s = triangulate(&b[i], count);
         hits += cast_rays(&a[i], rays, &s);
-        casting += bench_now() - start;
+        casting += bench_work() - start;
         free(s.lo);
         free(s.hi);
     }

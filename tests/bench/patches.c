@@ -31,24 +31,24 @@ void bench_patches(void) {
     enum { PATCHES = 200, POINTS = 2000 };
     static kg_patch patches[PATCHES];
     int n = 0;
-    double start = bench_now();
+    double start = bench_work();
     for (int i = 0; i < PATCHES; i++) {
         kg_patch_input in = bench_patch(i);
         if (kg_patch_init(&in, &patches[n], NULL) == KG_OK)
             n++;
     }
-    bench_row("patch: preparation of a cubic", (bench_now() - start) / PATCHES, "us", 0);
+    bench_row("patch: preparation of a cubic", (bench_work() - start) / PATCHES, "us", 0);
     double sum = 0;
-    start = bench_now();
+    start = bench_work();
     for (int i = 0; i < n; i++)
         for (int k = 0; k < POINTS; k++)
             sum += kg_patch_point(&patches[i], 10, (double)k / POINTS).x;
-    bench_row("patch: a point", (bench_now() - start) / n / POINTS, "ns", 0);
-    start = bench_now();
+    bench_row("patch: a point", (bench_work() - start) / n / POINTS, "ns", 0);
+    start = bench_work();
     for (int i = 0; i < n; i++)
         for (int k = 0; k < POINTS; k++)
             sum += kg_patch_unroll(&patches[i], 10, (double)k / POINTS).y;
-    bench_row("patch: a point on paper", (bench_now() - start) / n / POINTS, "ns", 0);
+    bench_row("patch: a point on paper", (bench_work() - start) / n / POINTS, "ns", 0);
     if (isnan(sum)) /* keeps the loops above from being dropped */
         bench_row("not a number", sum, "ns", 0);
 }
