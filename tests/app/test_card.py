@@ -66,7 +66,7 @@ def test_what_is_outside_is_refused_by_its_number():
 
 def test_the_net_of_the_app_is_that_of_the_command():
     with tempfile.TemporaryDirectory() as folder:
-        lines = [f"open {CARD}"]
+        lines = [f'open "{CARD}"']
         for edit in HOUSE:
             arguments = {k: v for k, v in edit.items() if k != "command"}
             lines.append(f"command {edit['command']} {json.dumps(arguments)}")
@@ -77,8 +77,7 @@ def test_the_net_of_the_app_is_that_of_the_command():
         path.write_text("\n".join(lines), encoding="utf-8")
         done = subprocess.run([PROGRAM, "edit", "--headless", "--script", path], check=False,
                               capture_output=True, text=True,
-                              env=dict(os.environ, HOME=folder, XDG_CONFIG_HOME=folder,
-                                       XDG_STATE_HOME=folder, LANGUAGE="C"))
+                              env=script.environment(folder))
         if done.returncode == 1 and ("EGL" in done.stderr or "OpenGL" in done.stderr):
             sys.exit(77)
         assert done.returncode == 0, done.stderr
