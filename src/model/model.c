@@ -71,7 +71,7 @@ static bool copy_text(const char *from, char **out) {
     return !from || *out;
 }
 
-static bool copy_op(const kg_trim_op *from, kg_trim_op *to) {
+bool kg_trim_op_copy(const kg_trim_op *from, kg_trim_op *to) {
     *to = *from;
     to->json = json_incref(from->json); /* never changed in place, so it can be shared */
     to->by = NULL, to->keep = NULL, to->contour = NULL;
@@ -91,7 +91,7 @@ static bool copy_patch(const kg_model_patch *from, kg_model_patch *to) {
         return false;
     for (size_t i = 0; i < from->trim_count; i++) {
         to->trim_count++;
-        if (!copy_op(&from->trims[i], &to->trims[i]))
+        if (!kg_trim_op_copy(&from->trims[i], &to->trims[i]))
             return false;
     }
     return true;

@@ -129,7 +129,7 @@ void kg_mend_offer(kg_editor *e, int64_t id) {
         return;
     if (!kg_patch_equalize(&p->input, &out, NULL))
         offer(mends, "patch.equalise", movement(&p->input, &out), out.extent);
-    if (!kg_mend_is_trimmed(kg_editor_model(e), p) && !kg_patch_divide(&p->input, &parts, NULL))
+    if (!kg_patch_divide(&p->input, &parts, NULL))
         offer(mends, "patch.split", split_movement(&p->input, &parts), p->input.extent);
     if (!kg_patch_flatten(&p->input, &out, NULL) && kg_patch_is_sound(&out))
         offer(mends, "patch.planarize", movement(&p->input, &out), out.extent);

@@ -6,12 +6,9 @@
 
 #include "app/editor.h"
 
-/* Whether a patch has trims, or is named in those of others: then it cannot be split. */
-bool kg_mend_is_trimmed(const kg_model *model, const kg_model_patch *patch);
-
 /* Within a step: the patch becomes a half, and the other half, the plane between and two
  * construction patches that cut them are added and selected with it. KG_ERR_INPUT, with a message
- * that goes on after "patch N": the patch is trimmed or trims others; as kg_patch_divide. */
+ * that goes on after "patch N": as kg_model_divide. */
 kg_status kg_mend_split(kg_editor *editor, int64_t patch, kg_error *error) KG_CHECKED;
 
 /* Tries every edit on copies of a patch, and keeps in editor->mends those that would leave it
