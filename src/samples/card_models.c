@@ -9,14 +9,27 @@
 /* text_add takes short pieces, bytes. */
 enum { CHUNK = 64 };
 
+/* So wide a margin that nothing sticks out of the closed card. */
+static kg_status cover(kg_oa *oa, kg_error *error) {
+    kg_oa_sheet *sheet;
+    kg_status status = kg_oa_sheet_create(oa, &sheet, error);
+    if (status)
+        return status;
+    oa->margin_cells += kg_oa_overhang(sheet);
+    kg_oa_sheet_destroy(sheet);
+    return KG_OK;
+}
+
 /* Writes the card and destroys it. */
 static kg_status finish(kg_oa *oa, const char *title, text *out, kg_error *error) {
     char *file;
     size_t size;
     free(oa->title);
     oa->title = strdup(title);
-    kg_status status = oa->title ? kg_oa_write_memory(oa, &file, &size, error)
-                                 : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_status status =
+        oa->title ? cover(oa, error) : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (!status)
+        status = kg_oa_write_memory(oa, &file, &size, error);
     kg_oa_destroy(oa);
     if (status)
         return status;
@@ -51,7 +64,7 @@ kg_status tower_card_write(text *out, kg_error *error) {
 
 kg_status house_card_write(text *out, kg_error *error) {
     kg_oa *oa;
-    kg_status status = kg_oa_create(24, 14, 20, 7.5, &oa, error);
+    kg_status status = kg_oa_create(24, 14, 20, 6, &oa, error);
     if (status)
         return status;
     /* every storey is narrower than the one below, so that each hangs on back and base itself */
@@ -68,7 +81,7 @@ kg_status house_card_write(text *out, kg_error *error) {
 
 kg_status pyramids_card_write(text *out, kg_error *error) {
     kg_oa *oa;
-    kg_status status = kg_oa_create(24, 10, 10, 8, &oa, error);
+    kg_status status = kg_oa_create(24, 10, 10, 6.5, &oa, error);
     if (status)
         return status;
     for (int k = 1; k <= 5; k++) { /* up to the middle and down again */
@@ -92,9 +105,10 @@ kg_status castle_card_write(text *out, kg_error *error) {
     options.depth = 36;
     options.height = 60;
     options.cell_mm = 2;
+    options.stable = true;
     kg_status status =
         castle_mesh_write(&file)
-            ? kg_mesh_read_memory(file.items, file.count, KG_MESH_OBJ, "castle", &mesh, NULL, error)
+            ? kg_mesh_read_memory(file.items, file.count, KG_MESH_OBJ, "castle", &mesh, error)
             : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     if (!status)
         status = kg_oa_convert(mesh, &options, NULL, &oa, error);

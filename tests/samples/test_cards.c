@@ -58,10 +58,26 @@ static void house_has_windows_and_stands(void **state) {
     unload(&c);
 }
 
-static void castle_is_a_valid_card_with_an_open_gate(void **state) {
+/* Nothing sticks out when they are closed, and they fit on A4 with its margins of 8 mm. */
+static void all_are_covered_when_closed_and_fit_their_page(void **state) {
+    (void)state;
+    static const char *const names[] = {"castle", "house", "pyramids", "tower"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char path[1024];
+        snprintf(path, sizeof path, KG_SAMPLES "/%s.katagami", names[i]);
+        sample_card c = load(path);
+        assert_int_equal(kg_oa_overhang(c.sheet), 0);
+        assert_true(c.sheet->width * c.oa->cell_mm <= 210 - 2 * 8);
+        assert_true(c.sheet->rows * c.oa->cell_mm <= 297 - 2 * 8);
+        unload(&c);
+    }
+}
+
+static void castle_stands_and_has_an_open_gate(void **state) {
     (void)state;
     sample_card c = load(KG_SAMPLES "/castle.katagami");
     assert_true(c.windows > 200);
+    assert_int_equal(c.stability->loose_count, 0);
     int middle = c.oa->width / 2;
     assert_true(kg_oa_window(c.oa, middle, 2));
     unload(&c);
@@ -71,7 +87,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tower_and_pyramids_stand_still),
         cmocka_unit_test(house_has_windows_and_stands),
-        cmocka_unit_test(castle_is_a_valid_card_with_an_open_gate),
+        cmocka_unit_test(castle_stands_and_has_an_open_gate),
+        cmocka_unit_test(all_are_covered_when_closed_and_fit_their_page),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
