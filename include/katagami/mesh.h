@@ -33,6 +33,8 @@ typedef struct kg_mesh {
     uint32_t *face_corners;
     size_t group_count;
     kg_mesh_group *groups; /* may be NULL */
+    size_t skipped_faces;  /* of the file it was read from: with fewer than 3 different corners, or
+                            * with one of them twice */
 } kg_mesh;
 
 /* An empty mesh, or NULL when memory runs out. The arrays are malloc's: whoever fills them gives
@@ -60,27 +62,25 @@ typedef enum kg_mesh_format {
 KG_API kg_status kg_mesh_format_of(const char *path, kg_mesh_format *out_format,
                                    kg_error *error) KG_CHECKED;
 
-typedef struct kg_mesh_report {
-    size_t skipped_faces; /* with fewer than 3 corners or a repeated one */
-} kg_mesh_report;
-
 /* Reads OBJ, PLY (text, binary of both byte orders), STL (text, binary; corners welded where
  * positions are equal), OFF (text), glTF and GLB (all scenes, node transforms applied, one group
  * per primitive). The mesh is taken as it is: polygons of any size, several components, open and
  * non-manifold ones. Normals are kept where every vertex has one and only one. Errors: KG_ERR_IO,
  * KG_ERR_PARSE (naming file and line) also for coordinates that are not finite numbers and for a
- * mesh without faces; KG_ERR_CANCELLED when `progress` says so. `progress` and `out_report` may be
- * NULL. */
+ * mesh without faces; KG_ERR_CANCELLED when `progress` says so. `progress` may be NULL. */
 KG_API kg_status kg_mesh_read(const char *path, kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
 KG_API kg_status kg_mesh_read_reporting(const char *path, const kg_progress *progress,
-                                        kg_mesh **out_mesh, kg_mesh_report *out_report,
-                                        kg_error *error) KG_CHECKED;
+                                        kg_mesh **out_mesh, kg_error *error) KG_CHECKED;
 
 /* The same from memory; `name` stands for the file in messages. Other files that a glTF text names
  * are not opened. */
 KG_API kg_status kg_mesh_read_memory(const void *data, size_t size, kg_mesh_format format,
                                      const char *name, kg_mesh **out_mesh,
-                                     kg_mesh_report *out_report, kg_error *error) KG_CHECKED;
+                                     kg_error *error) KG_CHECKED;
+
+/* Says how many faces of the file were skipped, and why; false, and an empty text, when none were.
+ */
+KG_API bool kg_mesh_say_skipped(const kg_mesh *mesh, const char *name, char *out_text, size_t size);
 
 /* Writes the format that the path's extension names; the file appears whole or not at all.
  *   OBJ   one `g` line per group in order, `vn` when there are normals; spaces and control

@@ -44,7 +44,7 @@ kg_status kg_convert(const kg_mesh *mesh, const char *path, const kg_oa_options 
 static kg_status make(kg_convert_job *j, kg_error *error) {
     const kg_progress progress = kg_task_progress(&j->task);
     kg_status status =
-        j->mesh ? KG_OK : kg_mesh_read_reporting(j->path, &progress, &j->mesh, NULL, error);
+        j->mesh ? KG_OK : kg_mesh_read_reporting(j->path, &progress, &j->mesh, error);
     if (!status)
         status =
             kg_convert(j->mesh, j->path, &j->options, &progress, &j->converted.document, error);

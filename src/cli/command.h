@@ -5,7 +5,7 @@
 #ifndef KG_CLI_COMMAND_H
 #define KG_CLI_COMMAND_H
 
-#include "katagami/base.h"
+#include "katagami/mesh.h"
 
 /* Exit codes of the program. */
 enum {
@@ -24,6 +24,9 @@ typedef struct kg_command {
 
 /* Says on stderr what is wrong with the input: "katagami net: message". Returns KG_EXIT_FAILED. */
 int kg_command_fail(const char *command, const kg_error *error) KG_CHECKED;
+
+/* Warns on stderr of the faces of a mesh file that were skipped. */
+void kg_command_say_skipped(const char *command, const kg_mesh *mesh, const char *path);
 
 /* Says on stderr what is wrong with the command line and where help is. Returns KG_EXIT_USAGE. */
 int kg_command_misuse(const char *command, const char *format, ...) KG_PRINTF(2, 3) KG_CHECKED;

@@ -78,6 +78,12 @@ int kg_command_fail(const char *command, const kg_error *error) {
     return KG_EXIT_FAILED;
 }
 
+void kg_command_say_skipped(const char *command, const kg_mesh *mesh, const char *path) {
+    char text[KG_ERROR_SIZE];
+    if (kg_mesh_say_skipped(mesh, path, text, sizeof text))
+        fprintf(stderr, "katagami %s: warning: %s\n", command, text);
+}
+
 int kg_command_misuse(const char *command, const char *format, ...) {
     fprintf(stderr, "katagami %s: ", command);
     va_list args;

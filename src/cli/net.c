@@ -197,11 +197,13 @@ static kg_status make_report(const kg_document_net *net, const kg_net_layout *la
 }
 
 /* Writes the pages and what is to be beside them: all or nothing. */
-static kg_status write_files(const kg_document *document, kg_document_net *net,
+static kg_status write_files(const char *path, const kg_document *document, kg_document_net *net,
                              const kg_net_options *settings, const outputs *out, kg_error *error) {
     kg_net_layout *layout = NULL;
     companion report = {.path = out->report}, guide = {.path = out->guide};
     kg_status status = kg_net_layout_create(net->net, settings, NULL, &layout, error);
+    if (status)
+        kg_fail_in(error, status, "%s: ", path);
     if (!status)
         status = check_pins(net, layout, settings, error);
     if (!status && out->report)
@@ -227,17 +229,18 @@ static kg_status write_files(const kg_document *document, kg_document_net *net,
     return status;
 }
 
-static kg_status write_net(kg_document *document, const kg_net_options *settings,
+/* `path` is of the model: what it asks for may not be possible. */
+static kg_status write_net(const char *path, kg_document *document, const kg_net_options *settings,
                            const kg_parts_options *parts, const outputs *out, kg_error *error) {
     kg_document_net net = {0};
     double chord = kg_document_net_chord(settings);
     if (kg_document_oa(document)) /* what is too narrow is so at the size it is drawn in */
         kg_document_oa(document)->net.scale = settings->scale;
     kg_status status = kg_document_solve(document, chord, error);
+    if (!status && (status = kg_document_unroll_to_fit(document, parts, &net, error)))
+        kg_fail_in(error, status, "%s: ", path);
     if (!status)
-        status = kg_document_unroll_to_fit(document, parts, &net, error);
-    if (!status)
-        status = write_files(document, &net, settings, out, error);
+        status = write_files(path, document, &net, settings, out, error);
     for (size_t i = 0; i < net.remark_count && !status; i++)
         if (net.remarks[i].source > 0)
             fprintf(stderr, "katagami net: warning: patch %lld: %s\n",
@@ -274,7 +277,7 @@ int kg_command_net(int argc, char **argv) {
     code = read_options(&a, document, &settings, &tab_width);
     if (code < 0) {
         kg_parts_options parts = parts_options(&a, document, &settings, tab_width);
-        if (write_net(document, &settings, &parts, &out, &error))
+        if (write_net(a.words[0], document, &settings, &parts, &out, &error))
             code = kg_command_fail("net", &error);
     }
     kg_document_destroy(document);

@@ -25,7 +25,9 @@ static kg_status write_new(const kg_arguments *a, const char *output, const char
     kg_model *model = kg_model_create();
     const char *title = kg_arguments_get(a, "title");
     kg_status status = kg_mesh_read(reference, &mesh, error); /* a mesh that cannot be read */
-    kg_mesh_destroy(mesh);                                    /* is told of at once */
+    if (!status)                                              /* is told of at once */
+        kg_command_say_skipped("new", mesh, reference);
+    kg_mesh_destroy(mesh);
     if (!status && model) {
         free(model->title);
         model->title = title ? strdup(title) : kg_file_stem(reference);

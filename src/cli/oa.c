@@ -106,6 +106,7 @@ static kg_status convert(const kg_arguments *a, const kg_oa_options *wanted, con
     kg_status status = kg_mesh_read(a->words[0], &mesh, error);
     if (status)
         return status;
+    kg_command_say_skipped("oa", mesh, a->words[0]);
     status = kg_oa_convert(mesh, wanted, &progress, &oa, error);
     kg_mesh_destroy(mesh);
     if (progress.call)

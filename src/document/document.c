@@ -255,7 +255,7 @@ kg_status kg_document_reference(const kg_document *d, const kg_progress *progres
         return KG_OK;
     }
     char *path = kg_document_reference_path(d);
-    kg_status status = path ? kg_mesh_read_reporting(path, progress, &mesh, NULL, error)
+    kg_status status = path ? kg_mesh_read_reporting(path, progress, &mesh, error)
                             : kg_fail(error, KG_ERR_MEMORY, "out of memory");
     /* y up is turned to z up: (x, y, z) -> (x, -z, y) */
     static const double turn[16] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};

@@ -153,8 +153,7 @@ static void copy_faces(kg_mesh_builder *b, kg_mesh *mesh, uint32_t *last_face) {
     mesh->group_count = kept_groups;
 }
 
-kg_status kg_mesh_builder_finish(kg_mesh_builder *b, kg_mesh **out_mesh, kg_mesh_report *out_report,
-                                 kg_error *error) {
+kg_status kg_mesh_builder_finish(kg_mesh_builder *b, kg_mesh **out_mesh, kg_error *error) {
     kg_status status = check_corners(b, error);
     if (!status)
         status = kg_progress_tell(b->progress, READING_SHARE, "reading", error);
@@ -193,8 +192,7 @@ kg_status kg_mesh_builder_finish(kg_mesh_builder *b, kg_mesh **out_mesh, kg_mesh
         return kg_fail(error, KG_ERR_PARSE, "%s: no face of the mesh has three different corners",
                        b->name);
     }
-    if (out_report)
-        out_report->skipped_faces = b->face_ends.count - mesh->face_count;
+    mesh->skipped_faces = b->face_ends.count - mesh->face_count;
     *out_mesh = mesh;
     return KG_OK;
 }

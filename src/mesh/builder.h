@@ -70,7 +70,7 @@ kg_status kg_mesh_builder_group(kg_mesh_builder *b, const char *name, size_t siz
                                 const float color[4], kg_error *error) KG_CHECKED;
 
 /* Makes the mesh; the builder is left to be freed. */
-kg_status kg_mesh_builder_finish(kg_mesh_builder *b, kg_mesh **out_mesh, kg_mesh_report *out_report,
+kg_status kg_mesh_builder_finish(kg_mesh_builder *b, kg_mesh **out_mesh,
                                  kg_error *error) KG_CHECKED;
 
 /* The colour of groups whose file names none. */

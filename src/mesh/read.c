@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "base/phrase.h"
 #include "base/progress.h"
 #include "mesh/format.h"
 
@@ -44,7 +45,7 @@ static kg_status read_format(const void *data, size_t size, kg_mesh_format forma
 
 static kg_status read_data(const void *data, size_t size, kg_mesh_format format, const char *name,
                            const char *folder, const kg_progress *progress, kg_mesh **out_mesh,
-                           kg_mesh_report *out_report, kg_error *error) {
+                           kg_error *error) {
     locale_t c_locale = newlocale(LC_ALL_MASK, "C", (locale_t)0);
     if (!c_locale)
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", name);
@@ -52,7 +53,7 @@ static kg_status read_data(const void *data, size_t size, kg_mesh_format format,
     kg_mesh_builder b = {.name = name, .progress = progress, .size = size};
     kg_status status = read_format(data, size, format, folder, &b, error);
     if (!status)
-        status = kg_mesh_builder_finish(&b, out_mesh, out_report, error);
+        status = kg_mesh_builder_finish(&b, out_mesh, error);
     kg_mesh_builder_free(&b);
     uselocale(callers);
     freelocale(c_locale);
@@ -60,9 +61,8 @@ static kg_status read_data(const void *data, size_t size, kg_mesh_format format,
 }
 
 kg_status kg_mesh_read_memory(const void *data, size_t size, kg_mesh_format format,
-                              const char *name, kg_mesh **out_mesh, kg_mesh_report *out_report,
-                              kg_error *error) {
-    return read_data(data, size, format, name, NULL, NULL, out_mesh, out_report, error);
+                              const char *name, kg_mesh **out_mesh, kg_error *error) {
+    return read_data(data, size, format, name, NULL, NULL, out_mesh, error);
 }
 
 /* Share of the work that fetching the bytes is, where they are at hand; a slow disk takes longer.
@@ -70,7 +70,7 @@ kg_status kg_mesh_read_memory(const void *data, size_t size, kg_mesh_format form
 #define FETCHING_SHARE 0.1
 
 kg_status kg_mesh_read_reporting(const char *path, const kg_progress *progress, kg_mesh **out_mesh,
-                                 kg_mesh_report *out_report, kg_error *error) {
+                                 kg_error *error) {
     kg_progress_share fetching = {progress, 0, FETCHING_SHARE},
                       reading = {progress, FETCHING_SHARE, 1};
     kg_progress of_fetching = kg_progress_of_share(&fetching),
@@ -86,8 +86,7 @@ kg_status kg_mesh_read_reporting(const char *path, const kg_progress *progress, 
         return kg_fail(error, KG_ERR_MEMORY, "%s: out of memory", path);
     status = kg_file_read_telling(path, &of_fetching, &data, &size, error);
     if (!status) {
-        status =
-            read_data(data, size, format, path, folder, &of_reading, out_mesh, out_report, error);
+        status = read_data(data, size, format, path, folder, &of_reading, out_mesh, error);
         free(data);
     }
     free(folder);
@@ -95,5 +94,15 @@ kg_status kg_mesh_read_reporting(const char *path, const kg_progress *progress, 
 }
 
 kg_status kg_mesh_read(const char *path, kg_mesh **out_mesh, kg_error *error) {
-    return kg_mesh_read_reporting(path, NULL, out_mesh, NULL, error);
+    return kg_mesh_read_reporting(path, NULL, out_mesh, error);
+}
+
+bool kg_mesh_say_skipped(const kg_mesh *mesh, const char *name, char *out, size_t size) {
+    out[0] = '\0';
+    if (mesh->skipped_faces)
+        kg_phrase_print(out, size,
+                        "%s: faces that were skipped: %zu; they have fewer than three different "
+                        "corners, or one of them twice",
+                        name, mesh->skipped_faces);
+    return mesh->skipped_faces > 0;
 }

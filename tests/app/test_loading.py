@@ -117,6 +117,19 @@ def test_what_cannot_be_read_changes_nothing(folder):
 
 
 @in_folder
+def test_faces_of_a_mesh_that_were_skipped_are_told_of(folder):
+    cube = [(x, y, z) for x in (0, 9) for y in (0, 9) for z in (0, 9)]
+    sides = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4", "1 2", "1 2 1 3"]
+    (folder / "torn.obj").write_text("".join(f"v {x} {y} {z}\n" for x, y, z in cube) +
+                                     "".join(f"f {side}\n" for side in sides))
+    say = "expect message torn.obj: faces that were skipped: 2"
+    run(folder, ADD, "drop torn.obj", "wait", "expect reference", say, "save one.katagami",
+        "command file.new_card {}", "open one.katagami", "wait", say, "command file.new_card {}",
+        "drop torn.obj", "wait", 'click "Make card"', "wait", say, "save card.katagami",
+        'command file.card_from_mesh {"mesh": "torn.obj", "size": [12, 6, 6]}', say)
+
+
+@in_folder
 def test_work_survives_an_opening_that_fails_after_it_was_given_up(folder):
     (folder / "bad.katagami").write_text("{")
     run(folder, ADD, "autosave 2", "wait 121", "drop bad.katagami", 'click "Discard"',

@@ -186,6 +186,11 @@ def test_net_settings_that_cannot_be_followed_are_named_with_their_file():
         message = refuse(1, "net", "m.katagami", "-o", "n.svg")
         assert "m.katagami: paper 'A9' is unknown" in message, message
         assert not os.path.exists("n.svg")
+    for settings, said in (({"tab_width": 5e5}, "tabs 500000 mm wide"),
+                           ({"paper": "30x30"}, "part ")):
+        with folder({**ground_and_wall(), "net": settings}):
+            message = refuse(1, "net", "m.katagami", "-o", "n.svg", "--no-split")
+            assert f"katagami net: m.katagami: {said}" in message, message
 
 
 def test_numbers_out_of_range_are_told_where_help_is():
@@ -328,6 +333,21 @@ def test_new_names_the_reference_from_where_the_model_is():
         refuse(1, "new", "-o", "none/b.katagami", "--reference", "mesh 形.obj")
         text = succeed("new", "-o", "-", "--reference", "mesh 形.obj").stdout
         assert json.loads(text)["reference"]["file"] == "mesh 形.obj", text
+
+
+def test_faces_of_a_mesh_that_were_skipped_are_told_of():
+    with folder():
+        cube = [(x, y, z) for x in (0, 9) for y in (0, 9) for z in (0, 9)]
+        sides = ["1 2 4 3", "5 7 8 6", "1 5 6 2", "3 4 8 7", "1 3 7 5", "2 6 8 4"]
+        text = "".join(f"v {x} {y} {z}\n" for x, y, z in cube)
+        text += "".join(f"f {side}\n" for side in sides)
+        pathlib.Path("whole.obj").write_text(text, encoding="utf-8")
+        pathlib.Path("torn.obj").write_text(text + "f 1 2\nf 1 2 1 3\n", encoding="utf-8")
+        for words in (["new", "-o", "n.katagami", "--reference"],
+                      ["oa", "-o", "o.katagami", "--size", "12x6x6"]):
+            assert succeed(*words, "whole.obj").stderr == ""
+            said = succeed(*words, "torn.obj").stderr
+            assert f"katagami {words[0]}: warning: torn.obj: faces that were skipped: 2;" in said
 
 
 def test_new_makes_empty_cards_and_sheets():

@@ -75,7 +75,7 @@ kg_mesh *kg_sample_soup(kg_random *random, size_t n) {
 kg_mesh *kg_sample_read(const void *data, size_t size, kg_mesh_format format, kg_error *error) {
     kg_mesh *mesh = NULL;
     memset(error, 0, sizeof *error);
-    kg_status status = kg_mesh_read_memory(data, size, format, "sample", &mesh, NULL, error);
+    kg_status status = kg_mesh_read_memory(data, size, format, "sample", &mesh, error);
     if (status) {
         assert_null(mesh);
         assert_int_equal(error->status, status);

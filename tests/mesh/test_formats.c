@@ -247,11 +247,15 @@ static void unusable_faces_are_skipped_and_counted(void **state) {
     (void)state;
     const char *text = QUAD "g a\nf 1 2\nf 1 1 2\ng b\nf 1 2 3 1\nf\nf 1 2 3\ng c\nf 4 4 4 4\n";
     kg_mesh *mesh;
-    kg_mesh_report report;
-    assert_int_equal(
-        kg_mesh_read_memory(text, strlen(text), KG_MESH_OBJ, "x", &mesh, &report, NULL), KG_OK);
+    assert_int_equal(kg_mesh_read_memory(text, strlen(text), KG_MESH_OBJ, "x", &mesh, NULL), KG_OK);
     assert_int_equal(mesh->face_count, 1);
-    assert_int_equal(report.skipped_faces, 5);
+    assert_int_equal(mesh->skipped_faces, 5);
+    char said[200];
+    assert_true(kg_mesh_say_skipped(mesh, "x.obj", said, sizeof said));
+    assert_memory_equal(said, "x.obj: faces that were skipped: 5; ", 35);
+    mesh->skipped_faces = 0;
+    assert_false(kg_mesh_say_skipped(mesh, "x.obj", said, sizeof said));
+    assert_string_equal(said, "");
     assert_int_equal(mesh->group_count, 1);
     assert_string_equal(mesh->groups[0].name, "b");
     kg_mesh_destroy(mesh);

@@ -156,9 +156,15 @@ static kg_status card_from_mesh(kg_editor *e, const json_t *a, kg_error *error) 
         status = kg_mesh_read(path, &mesh, error);
     if (status)
         return status;
+    char skipped[KG_ERROR_SIZE];
+    kg_mesh_say_skipped(mesh, path, skipped, sizeof skipped);
     status = kg_convert(mesh, path, &options, NULL, &document, error);
     kg_mesh_destroy(mesh);
-    return status ? status : kg_create_take(e, document, true, error);
+    if (!status)
+        status = kg_create_take(e, document, true, error);
+    if (!status && skipped[0])
+        kg_editor_say(e, KG_WARNING, "%s", skipped);
+    return status;
 }
 
 static const kg_app_command items[] = {

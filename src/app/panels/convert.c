@@ -275,12 +275,17 @@ void kg_conversion_ask(kg_app *app, const char *path) {
 
 /* Shows what was made as a document of its own. */
 static void take(kg_app *app) {
-    kg_document *document = app->conversion->made.document;
+    kg_conversion *c = app->conversion;
+    kg_document *document = c->made.document;
+    char skipped[KG_ERROR_SIZE];
     kg_error error;
-    app->conversion->made.document = NULL;
+    kg_mesh_say_skipped(c->mesh, c->path, skipped, sizeof skipped);
+    c->made.document = NULL;
     kg_conversion_stop(app);
     if (kg_create_take(&app->editor, document, true, &error))
         kg_dialogs_fail(app, &error);
+    else if (skipped[0])
+        kg_editor_say(&app->editor, KG_WARNING, "%s", skipped);
 }
 
 void kg_panel_convert(kg_app *app) {

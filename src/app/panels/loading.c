@@ -53,6 +53,14 @@ static void cannot_show(kg_editor *e, const kg_error *error) {
     kg_editor_say(e, KG_WARNING, _("The reference cannot be shown: %s"), error->message);
 }
 
+static void say_skipped(kg_editor *e) {
+    char text[KG_ERROR_SIZE];
+    if (e->backdrop.mesh &&
+        kg_mesh_say_skipped(e->backdrop.mesh, kg_editor_model(e)->reference.file, text,
+                            sizeof text))
+        kg_editor_say(e, KG_WARNING, "%s", text);
+}
+
 static void finish(kg_app *app) {
     kg_editor *e = &app->editor;
     kg_load_job *job = app->load_job;
@@ -81,6 +89,7 @@ static void finish(kg_app *app) {
         app->framed = app->framed && is_asked; /* of another size or another way up */
         if (reference_error.message[0])
             cannot_show(e, &reference_error);
+        say_skipped(e);
     }
     kg_backdrop_clear(&backdrop);
 }
