@@ -112,13 +112,24 @@ static int compare(sorting *s, const kg_facet *a, const kg_facet *b, kg_figure_o
     return most > s->touch ? 1 : most < -s->touch ? -1 : 0;
 }
 
+/* Room for polygons of `count` corners in the scratch, whose contents go. */
+static bool make_room(sorting *s, size_t count) {
+    if (count <= s->room)
+        return true;
+    if (count > SIZE_MAX / (8 * sizeof *s->scratch))
+        return false;
+    free(s->scratch);
+    s->room = 2 * count;
+    s->scratch = malloc(4 * s->room * sizeof *s->scratch);
+    return s->scratch;
+}
+
 /* What is seen of a facet: its outline less all that covers it, as convex pieces. */
 static kg_status find_pieces(sorting *s, size_t index) {
     kg_figure *f = s->figure;
     kg_facet *a = &f->facets.items[index];
     a->clipped = true;
     a->first_piece = f->pieces.count;
-    kg_vec2 *p = s->scratch, *next = p + s->room, *outside = next + s->room;
     for (size_t i = 0; i < a->count; i++)
         if (!kg_push(&f->corners, flat(f->points.items[a->first + i])))
             return KG_ERR_MEMORY;
@@ -133,8 +144,9 @@ static kg_status find_pieces(sorting *s, size_t index) {
         for (size_t piece = old_first; piece < old_end; piece++) {
             size_t start = piece == 0 ? 0 : f->pieces.items[piece - 1],
                    n = f->pieces.items[piece] - start;
-            if (n + b->count + 4 > s->room)
+            if (!make_room(s, n + b->count + 4)) /* pieces gain a corner with every cut */
                 return KG_ERR_MEMORY;
+            kg_vec2 *p = s->scratch, *next = p + s->room, *outside = next + s->room;
             memcpy(p, f->corners.items + start, n * sizeof *p);
             for (size_t e = 0; e < b->count && n > 0; e++) {
                 kg_vec2 from = flat(f->points.items[b->first + e]),
@@ -190,12 +202,10 @@ kg_status kg_figure_sort(kg_figure *f, kg_figure_order order, const void *user) 
         kg_box2_add(&box, f->facets.items[i].box.hi);
     }
     sorting s = {.figure = f, .touch = n ? TOUCH * kg_dist2(box.lo, box.hi) : 0};
-    s.room = 4 * most + 256; /* pieces gain a corner with every cut */
-    s.scratch = malloc(4 * s.room * sizeof *s.scratch);
     s.covers = calloc(n * n + 1, 1);
     free(f->order);
     f->order = malloc((n + 1) * sizeof *f->order);
-    kg_status status = s.scratch && s.covers && f->order ? KG_OK : KG_ERR_MEMORY;
+    kg_status status = make_room(&s, 2 * most + 2) && s.covers && f->order ? KG_OK : KG_ERR_MEMORY;
     for (size_t i = 0; i < n && !status; i++)
         for (size_t k = i + 1; k < n; k++) {
             int c = compare(&s, &f->facets.items[i], &f->facets.items[k], order, user);
@@ -250,19 +260,22 @@ static void stroke_side(cairo_t *cr, kg_side_look look, kg_vec2 a, kg_vec2 b, kg
     cairo_stroke(cr);
 }
 
+static bool holds(const kg_figure *f, const kg_facet *a, kg_vec2 p) {
+    for (size_t i = 0; i < a->count; i++) {
+        kg_vec2 from = flat(f->points.items[a->first + i]),
+                to = flat(f->points.items[a->first + (i + 1) % a->count]);
+        if (!(kg_cross2(kg_sub2(to, from), kg_sub2(p, from)) > 0))
+            return false;
+    }
+    return true;
+}
+
 /* The facet seen at a point of those painted from `place` on; -1: none. */
 static int32_t seen_at(const kg_figure *f, size_t place, kg_vec2 p) {
-    kg_vec2 corners[64];
-    int32_t top = -1;
-    for (size_t i = place; i < f->facets.count; i++) {
-        const kg_facet *a = &f->facets.items[f->order[i]];
-        if (a->count > sizeof corners / sizeof *corners)
-            continue;
-        outline(f, a, corners);
-        if (kg_convex_holds(corners, a->count, p, 0))
-            top = f->order[i];
-    }
-    return top;
+    for (size_t i = f->facets.count; i-- > place;)
+        if (holds(f, &f->facets.items[f->order[i]], p))
+            return f->order[i];
+    return -1;
 }
 
 /* A line to fold along that lies just under the edge of a higher layer would vanish there, although
