@@ -37,6 +37,7 @@ void kg_app_clear(kg_app *app) {
     kg_export_stop(app);
     kg_loading_stop(app);
     kg_conversion_stop(app);
+    kg_stand_stop(app);
     kg_net_view_clear(&app->net_view);
     kg_scenery_destroy(app->stage);
     kg_ui_destroy();
@@ -84,6 +85,9 @@ static void serve_request(kg_app *app) {
         break;
     case KG_REQUEST_EXPORT_GUIDE:
         kg_export_ask(app, KG_FOR_GUIDE);
+        break;
+    case KG_REQUEST_STAND:
+        kg_stand_begin(app);
         break;
     case KG_REQUEST_PALETTE:
         app->dialogs.open_palette = true;

@@ -33,6 +33,7 @@ typedef struct kg_app {
     kg_gate gate;                     /* of all work in the background */
     struct kg_export_job *export_job; /* NULL: nothing is being written */
     struct kg_load_job *load_job;     /* NULL: nothing is being read */
+    struct kg_stand_job *stand_job;   /* NULL: no card is being made to stand */
     kg_conversion *conversion;        /* NULL: no card is being made of a mesh */
     struct {
         struct kg_load_job **items;

@@ -53,7 +53,7 @@ kg_creation kg_creation_default(void);
 typedef struct kg_dialogs {
     bool open_new_card, open_new_sheets, open_conversion, open_mesh;
     kg_creation creation;
-    bool open_export, open_progress, open_loading;
+    bool open_export, open_progress, open_loading, open_stand;
     bool open_palette, open_help, open_settings, open_rename, open_unsaved, open_browser,
         open_error, open_recovery, open_overwrite, open_menu; /* to be opened in this frame */
     kg_purpose purpose;                                       /* of the browser */

@@ -56,6 +56,7 @@ typedef enum kg_request {
     KG_REQUEST_EXPORT_NET,
     KG_REQUEST_EXPORT_MESH,
     KG_REQUEST_EXPORT_GUIDE,
+    KG_REQUEST_STAND, /* the card is to be made to stand */
     KG_REQUEST_QUIT,
     KG_REQUEST_PALETTE,
     KG_REQUEST_HELP,

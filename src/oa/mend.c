@@ -44,9 +44,11 @@ typedef struct mender {
     bool symmetric; /* every change is made on both sides */
     int *changed;   /* per column: the last round that changed it */
     trial *trials;  /* per cell of the sheet: what was tried for the patch that begins there */
-    int wider;      /* columns beside a patch that are changed as well */
-    size_t limit;   /* what a patch made firm may cost */
-    size_t next;    /* the least that one costs which costs more; NOTHING_HELPS: there is none */
+    const kg_progress *progress;
+    size_t first; /* loose patches at the beginning */
+    int wider;    /* columns beside a patch that are changed as well */
+    size_t limit; /* what a patch made firm may cost */
+    size_t next;  /* the least that one costs which costs more; NOTHING_HELPS: there is none */
     struct {
         window *items;
         size_t count, capacity;
@@ -264,6 +266,14 @@ static kg_status mend_patch(mender *m, const kg_oa_patch *p, window w, size_t *o
 
 /* ---- rounds ----------------------------------------------------------------------------- */
 
+/* Tells how far the work is, by what is no longer loose. */
+static kg_status report(const mender *m, kg_error *error) {
+    double fraction = fmax(1 - (double)m->now.loose / (double)(m->first + 1), 0);
+    bool goes_on = !m->progress || !m->progress->call ||
+                   m->progress->call(m->progress->user, fraction, "mending");
+    return goes_on ? KG_OK : kg_fail(error, KG_ERR_CANCELLED, "cancelled");
+}
+
 static bool has_changed(const mender *m, window w, int since) {
     for (int x = w.x0; x < w.x1; x++)
         if (m->changed[x] >= since)
@@ -323,7 +333,9 @@ static kg_status mend_troubled(mender *m, const kg_oa_patch **patches, kg_error 
         bool known = t->round > 0 && !has_changed(m, w, t->round);
         if (has_changed(m, w, m->round) || (known && is_too_dear(m, t)))
             continue;
-        status = mend_patch(m, p, w, &t->price, error);
+        status = report(m, error);
+        if (!status)
+            status = mend_patch(m, p, w, &t->price, error);
         t->round = m->round;
         if (status || is_too_dear(m, t))
             continue;
@@ -378,10 +390,6 @@ static kg_status settle(mender *m, kg_oa *after, bool *out_any, kg_error *error)
     return status;
 }
 
-static bool asked_to_stop(const kg_progress *progress, double fraction) {
-    return progress && progress->call && !progress->call(progress->user, fraction, "mending");
-}
-
 /* Goes on where no change was worth its cost: with dearer ones, then with more columns. False when
  * all was tried. */
 static bool go_further(mender *m) {
@@ -396,8 +404,7 @@ static bool go_further(mender *m) {
     return m->wider <= 2 * m->card->width;
 }
 
-static kg_status mend_all(mender *m, const kg_progress *progress, kg_oa *after, kg_error *error) {
-    size_t first = m->now.loose;
+static kg_status mend_all(mender *m, kg_oa *after, kg_error *error) {
     kg_status status = KG_OK;
     m->limit = 1;
     for (bool more = true; more && m->now.loose + m->now.missing > 0 && !status;) {
@@ -410,8 +417,8 @@ static kg_status mend_all(mender *m, const kg_progress *progress, kg_oa *after, 
         free(patches);
         if (!status)
             status = settle(m, after, &any, error);
-        if (!status && asked_to_stop(progress, 1 - (double)m->now.loose / (double)(first + 1)))
-            status = kg_fail(error, KG_ERR_CANCELLED, "cancelled");
+        if (!status)
+            status = report(m, error);
         if (!any)
             more = go_further(m);
     }
@@ -443,7 +450,7 @@ static kg_status put_back(mender *m, int x, kg_error *error) {
 static kg_status put_back_all(mender *m, kg_error *error) {
     kg_status status = KG_OK;
     for (int x = m->limits.first; x < m->limits.last && !status; x++)
-        if (kg_oa_mend_cost(m->card, m->wanted, x, x + 1) > 0)
+        if (kg_oa_mend_cost(m->card, m->wanted, x, x + 1) > 0 && !(status = report(m, error)))
             status = put_back(m, x, error);
     return status;
 }
@@ -491,13 +498,15 @@ kg_status kg_oa_stabilize(kg_oa *oa, const kg_progress *progress, kg_oa_mended *
     kg_status status = done ? judge(m.card, &m.now, error) : KG_OK;
     if (done && !status) {
         m.wanted = wanted;
+        m.progress = progress;
+        m.first = m.now.loose;
         m.symmetric = is_symmetric(wanted);
         m.changed = calloc((size_t)m.now.sheet->width, sizeof *m.changed);
         m.trials = calloc((size_t)m.now.sheet->width * (size_t)m.now.sheet->rows, sizeof *m.trials);
         done = m.changed && m.trials;
     }
     if (done && !status)
-        status = mend_all(&m, progress, after, error);
+        status = mend_all(&m, after, error);
     if (done && !status && m.now.loose + m.now.missing == 0)
         status = put_back_all(&m, error);
     if (!done)

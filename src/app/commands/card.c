@@ -252,29 +252,20 @@ static kg_status omit_thin(kg_editor *e, const json_t *a, kg_error *error) {
     return kg_editor_finish(e, kg_oa_thin_tops(kg_editor_oa(e), depth, error));
 }
 
-/* Says what came of it; a card that is firm is left without a step of the history. */
+/* By hand in the background. */
 static kg_status stabilize(kg_editor *e, const json_t *a, kg_error *error) {
     kg_oa_mended mended;
-    (void)a;
-    kg_status status = kg_editor_begin(e, N_("Make it stand"), error);
-    if (status)
-        return status;
-    status = kg_oa_stabilize(kg_editor_oa(e), NULL, &mended, error);
-    if (!status && mended.cells > 0)
-        kg_editor_touch(e);
-    status = kg_editor_finish(e, status);
-    if (status)
-        return status;
-    if (mended.loose + mended.missing > 0)
-        kg_editor_say(
-            e, KG_WARNING,
-            _("Changed %zu cells, but %zu patches are still loose; no small change helps."),
-            mended.cells, mended.loose);
-    else if (mended.cells > 0)
-        kg_editor_say(e, KG_WARNING, _("The card stands: %zu cells were changed."), mended.cells);
-    else
-        kg_editor_say(e, KG_WARNING, "%s", _("The card stands already."));
-    return KG_OK;
+    if (!a) {
+        e->request = KG_REQUEST_STAND;
+        return KG_OK;
+    }
+    kg_oa *after = kg_oa_copy(kg_editor_oa(e));
+    kg_status status = after ? kg_oa_stabilize(after, NULL, &mended, error)
+                             : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    if (!status)
+        status = kg_card_stand(e, after, &mended, error);
+    kg_oa_destroy(after);
+    return status;
 }
 
 /* Margin enough that nothing sticks out of the closed card. */

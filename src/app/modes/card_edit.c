@@ -9,6 +9,14 @@ static int mirrored(const kg_oa *oa, int x) {
     return oa->width - 1 - x;
 }
 
+/* Of a card of the same size. */
+static void copy_cells(kg_oa *to, const kg_oa *from) {
+    size_t columns = (size_t)to->width, levels = (size_t)to->height;
+    memcpy(to->depth, from->depth, columns * levels * sizeof *to->depth);
+    memcpy(to->window, from->window, columns * levels);
+    memcpy(to->omitted, from->omitted, columns * (levels + 1));
+}
+
 static bool is_symmetric(const kg_editor *e) {
     return kg_card_state_of(e)->symmetric;
 }
@@ -168,12 +176,9 @@ static void pull_place(kg_oa *oa, const kg_pulled *p, int x, int v, int to) {
 
 bool kg_card_pull(kg_editor *e, const kg_oa *from, const kg_pulled *p, int to) {
     kg_oa *oa = kg_editor_oa(e);
-    size_t columns = (size_t)oa->width, levels = (size_t)oa->height;
     int limit = p->level ? oa->height : oa->depth_limit;
     to = to < 0 ? 0 : to > limit ? limit : to;
-    memcpy(oa->depth, from->depth, columns * levels * sizeof *oa->depth);
-    memcpy(oa->window, from->window, columns * levels);
-    memcpy(oa->omitted, from->omitted, columns * (levels + 1));
+    copy_cells(oa, from);
     for (int x = 0; x < p->columns; x++)
         for (int v = 0; v < p->rows; v++)
             if (p->inside[x * p->rows + v]) {
@@ -183,4 +188,28 @@ bool kg_card_pull(kg_editor *e, const kg_oa *from, const kg_pulled *p, int to) {
             }
     kg_editor_touch(e);
     return to != p->at;
+}
+
+/* ---- standing --------------------------------------------------------------------------- */
+
+kg_status kg_card_stand(kg_editor *e, const kg_oa *after, const kg_oa_mended *mended,
+                        kg_error *error) {
+    kg_status status = kg_editor_begin(e, N_("Make it stand"), error);
+    if (status)
+        return status;
+    if (mended->cells > 0) {
+        copy_cells(kg_editor_oa(e), after);
+        kg_editor_touch(e);
+    }
+    kg_editor_commit(e);
+    if (mended->loose + mended->missing > 0)
+        kg_editor_say(
+            e, KG_WARNING,
+            _("Changed %zu cells, but %zu patches are still loose; no small change helps."),
+            mended->cells, mended->loose);
+    else if (mended->cells > 0)
+        kg_editor_say(e, KG_WARNING, _("The card stands: %zu cells were changed."), mended->cells);
+    else
+        kg_editor_say(e, KG_WARNING, "%s", _("The card stands already."));
+    return KG_OK;
 }

@@ -1,6 +1,6 @@
 /*
- * Edits of a card, with their mirror images while the editor is symmetric. All are to be called
- * within a step, and return whether anything changed.
+ * Edits of a card, with their mirror images while the editor is symmetric. But for the last, all
+ * are to be called within a step, and return whether anything changed.
  */
 #ifndef KG_APP_MODES_CARD_EDIT_H
 #define KG_APP_MODES_CARD_EDIT_H
@@ -33,5 +33,10 @@ kg_status kg_pulled_create(const kg_editor *editor, kg_spot spot, bool level, kg
 void kg_pulled_clear(kg_pulled *pulled);
 /* Takes the face from where it was in `from` to `to` voxels; what lies behind or below follows. */
 bool kg_card_pull(kg_editor *editor, const kg_oa *from, const kg_pulled *pulled, int to);
+
+/* Gives the card the cells of `after`, a copy that was made to stand, as a step of its own, and
+ * says what came of it; one that stood already is left without a step of the history. */
+kg_status kg_card_stand(kg_editor *editor, const kg_oa *after, const kg_oa_mended *mended,
+                        kg_error *error) KG_CHECKED;
 
 #endif

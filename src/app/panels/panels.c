@@ -26,6 +26,7 @@ void kg_panels_show(kg_app *app) {
     kg_panel_export(app); /* after the browser, which would take the same Enter */
     kg_panel_create(app);
     kg_panel_convert(app);
+    kg_panel_stand(app);
     kg_panel_palette(app);
     kg_panel_help(app);
     kg_panel_settings(app);

@@ -44,6 +44,7 @@ void kg_panel_export(kg_app *app);
 void kg_panel_create(kg_app *app);
 void kg_panel_convert(kg_app *app);
 void kg_panel_loading(kg_app *app);
+void kg_panel_stand(kg_app *app);
 
 /* Asks what to export as, starting from the last choice where it is for such a purpose: KG_FOR_NET,
  * KG_FOR_MESH, KG_FOR_GUIDE. */
@@ -63,6 +64,10 @@ void kg_loading_stop(kg_app *app);
 /* Asks how a card is to be made of a mesh; gives that up. */
 void kg_conversion_ask(kg_app *app, const char *path);
 void kg_conversion_stop(kg_app *app);
+
+/* Makes the card stand, large ones in the background; gives that up. */
+void kg_stand_begin(kg_app *app);
+void kg_stand_stop(kg_app *app);
 
 /* Asks what to do about unsaved changes, if there are any, then goes on with `purpose`. */
 void kg_dialogs_go_on(kg_app *app, kg_purpose purpose);
