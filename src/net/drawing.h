@@ -16,13 +16,24 @@ typedef struct kg_stroke {
     kg_path path;
 } kg_stroke;
 
+typedef enum kg_frame { KG_FRAME_NONE, KG_FRAME_BOX, KG_FRAME_RING } kg_frame;
+
+/* Where a text lies in its box, which is on the generous side. */
+typedef enum kg_caption_align {
+    KG_CAPTION_MIDDLE = 0,
+    KG_CAPTION_START,
+    KG_CAPTION_END
+} kg_caption_align;
+
 typedef struct kg_caption {
     kg_net_layer layer;
+    kg_frame frame; /* what is drawn around it: parts stand in boxes, joins in rings */
     int part;
     int64_t source;
     kg_vec2 centre; /* of the box from baseline to capital height */
     double angle;   /* turning x towards y */
     double capital; /* height of capitals, mm */
+    kg_caption_align align;
     char *text;
 } kg_caption;
 

@@ -345,6 +345,8 @@ static void caption_text(dxf *d, const char *utf8) {
 }
 
 static void caption_entity(dxf *d, const kg_caption *caption) {
+    static const int adjustments[] = {
+        [KG_CAPTION_MIDDLE] = 1, [KG_CAPTION_START] = 0, [KG_CAPTION_END] = 2};
     kg_vec2 base = kg_caption_baseline(caption);
     double height = d->drawing->size.y;
     entity(d, "TEXT", caption->layer);
@@ -354,7 +356,7 @@ static void caption_entity(dxf *d, const kg_caption *caption) {
     real(d, 40, caption->capital);
     caption_text(d, caption->text);
     real(d, 50, -caption->angle * 180 / KG_PI);
-    integer(d, 72, 1); /* centred at the second point */
+    integer(d, 72, adjustments[caption->align]); /* of the second point */
     point(d, 11, base.x, height - base.y);
     real(d, 31, 0);
     text(d, 100, "AcDbText");

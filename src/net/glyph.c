@@ -71,7 +71,7 @@ static void line_place(cairo_t *cr, PangoLayoutLine *line, const kg_caption *cap
     cairo_translate(cr, base.x, base.y);
     cairo_rotate(cr, caption->angle);
     cairo_scale(cr, scale, scale);
-    cairo_translate(cr, -width / 2, 0);
+    cairo_translate(cr, -width * kg_caption_share(caption), 0);
 }
 
 void kg_glyphs_show(const kg_glyphs *glyphs, cairo_t *cr, const kg_caption *caption) {

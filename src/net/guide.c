@@ -63,11 +63,13 @@ kg_status kg_guide_draw(kg_drawing *drawing, const kg_net_options *options, kg_e
     /* In the middle of the lower margin, else in the room that sheet.c keeps free for it. */
     double y = options->margin >= KG_SHEET_BAR_HEIGHT ? hi.y + options->margin / 2
                                                       : hi.y - KG_SHEET_BAR_HEIGHT / 2;
+    double frame = kg_sheet_frame(options->margin);
     bool done = true;
     for (size_t i = 0; done && i < drawing->page_count; i++) {
         kg_page *page = &drawing->pages[i];
         if (options->frame)
-            done = rectangle(page, lo, hi, false) &&
+            done = rectangle(page, kg_v2(frame, frame),
+                             kg_v2(drawing->size.x - frame, drawing->size.y - frame), false) &&
                    (sheet.usable.x < KG_SHEET_BAR_WIDTH ||
                     scale_bar(page, kg_v2(lo.x + 1, y), i + 1, drawing->page_count));
         if (done && options->registration)

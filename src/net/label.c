@@ -1,21 +1,20 @@
 #include "net/label.h"
 
+#include "net/badge.h"
 #include "net/layout.h"
 #include "net/space.h"
-#include "net/text.h"
 
 #include <stdio.h>
 #include <string.h>
 
 /* Heights of capitals, mm: what is wished, and what can still be read and drawn. */
 #define PART_CAPITAL 3.5
-#define JOIN_CAPITAL 2.5
+#define JOIN_CAPITAL 2.2
 #define LEAST_CAPITAL 1.8
 
-/* Free space around a text and between a text and its edge, mm. */
-#define CLEARANCE 0.4
-#define EDGE_DISTANCE 0.5
-#define UNDERLINE_DISTANCE 0.3
+/* Free space around a frame, and what there is more between it and its edge, mm. */
+#define CLEARANCE 0.3
+#define EDGE_DISTANCE 0.2
 
 typedef struct writer {
     const kg_net *net;
@@ -35,7 +34,7 @@ static double upright(double angle) {
 }
 
 static kg_block block_of(const kg_caption *caption, double clearance) {
-    kg_vec2 half = kg_caption_half(caption);
+    kg_vec2 half = kg_badge_half(caption);
     return (kg_block){caption->centre, kg_v2(half.x + clearance, half.y + clearance),
                       caption->angle};
 }
@@ -51,41 +50,31 @@ static bool on_captions(const writer *w, const kg_block *block) {
 
 /* Free on the paper of the part, or for `outside` on paper that falls away. */
 static bool is_free(const writer *w, const kg_caption *caption, bool outside) {
-    kg_block block = block_of(caption, CLEARANCE);
+    kg_badge badge;
+    size_t count = kg_badge_split(caption, &badge);
     int part = outside ? 0 : w->part->number;
-    return kg_space_holds(w->space, &block) &&
-           kg_space_inside(w->space, part, caption->centre) != outside &&
-           !kg_space_blocked(w->space, part, &block) && !on_captions(w, &block);
+    for (size_t i = 0; i < count; i++) {
+        kg_block block = block_of(&badge.pieces[i], CLEARANCE);
+        if (!kg_space_holds(w->space, &block) ||
+            kg_space_inside(w->space, part, badge.pieces[i].centre) == outside ||
+            kg_space_blocked(w->space, part, &block) || on_captions(w, &block))
+            return false;
+    }
+    return true;
 }
 
-static kg_caption caption_new(const writer *w, const char *text, double capital) {
+static kg_caption caption_new(const writer *w, kg_frame frame, const char *text, double capital) {
     /* kg_page_caption copies the text. */
     return (kg_caption){.layer = KG_LAYER_LABEL,
+                        .frame = frame,
                         .part = w->part->number,
                         .source = w->part->source,
                         .capital = capital,
                         .text = (char *)(uintptr_t)text};
 }
 
-/* Numbers that read as another one upside down, as loose parts lie: 6 and 9, 16 and 91. */
-static bool turns_over(const char *text) {
-    return text[strspn(text, "01689")] == '\0' && strpbrk(text, "69");
-}
-
-/* Adds the caption; a line below tells where such a number's foot is. */
 static bool label_add(const writer *w, const kg_caption *caption) {
-    if (!kg_page_caption(w->page, caption))
-        return false;
-    if (!turns_over(caption->text))
-        return true;
-    kg_vec2 half = kg_caption_half(caption), along = {cos(caption->angle), sin(caption->angle)};
-    kg_vec2 foot =
-        kg_add2(caption->centre, kg_scale2(kg_v2(-along.y, along.x), half.y + UNDERLINE_DISTANCE));
-    kg_vec2 a = kg_sub2(foot, kg_scale2(along, half.x)),
-            b = kg_add2(foot, kg_scale2(along, half.x));
-    kg_stroke *stroke = kg_page_stroke(w->page, KG_LAYER_LABEL, w->part);
-    return stroke && kg_path_move(&stroke->path, a) && kg_path_line(&stroke->path, b) &&
-           kg_space_add_wall(w->space, a, b, w->part->number);
+    return kg_badge_draw(w->page, caption, w->part);
 }
 
 /* ---- leader lines ------------------------------------------------------------------------------
@@ -105,18 +94,15 @@ static bool leader_draw(const writer *w, kg_vec2 from, kg_vec2 to) {
 
 /* Puts the text on free paper near `anchor` with a line to it; where there is none, on the anchor
  * itself, since a label on a line is better than no label. */
-static bool place_with_leader(const writer *w, const char *text, kg_vec2 anchor) {
-    kg_caption caption = caption_new(w, text, LEAST_CAPITAL);
-    kg_vec2 half = kg_caption_half(&caption);
+static bool place_with_leader(const writer *w, kg_frame frame, const char *text, kg_vec2 anchor) {
+    kg_caption caption = caption_new(w, frame, text, LEAST_CAPITAL);
+    kg_vec2 half = kg_badge_half(&caption);
     for (int ring = 1; ring <= 12; ring++) {
         for (int k = 0; k < 16; k++) {
             double angle = 2 * KG_PI * k / 16;
             kg_vec2 way = kg_v2(cos(angle), sin(angle));
             caption.centre = kg_add2(anchor, kg_scale2(way, 2.5 * ring + half.x));
-            /* The line ends where it enters the text's box. */
-            double enter = fmin(fabs(way.x) > 1e-9 ? (half.x + CLEARANCE) / fabs(way.x) : HUGE_VAL,
-                                fabs(way.y) > 1e-9 ? (half.y + CLEARANCE) / fabs(way.y) : HUGE_VAL);
-            kg_vec2 end = kg_sub2(caption.centre, kg_scale2(way, enter));
+            kg_vec2 end = kg_sub2(caption.centre, kg_scale2(way, kg_badge_reach(&caption, way)));
             if (is_free(w, &caption, true) && leader_free(w, anchor, end))
                 return label_add(w, &caption) && leader_draw(w, anchor, end);
         }
@@ -128,14 +114,16 @@ static bool place_with_leader(const writer *w, const char *text, kg_vec2 anchor)
 /* ---- parts -------------------------------------------------------------------------------------
  */
 
-/* Tries a text at the part's roomiest place, upright, then turned; false when it does not fit. */
+/* Tries a text at the part's roomiest place, upright, then turned, in the end by any multiple of 15
+ * degrees; false when it does not fit. */
 static bool fit_in_part(const writer *w, const char *text, kg_caption *out) {
-    static const double angles[] = {0, -KG_PI / 2, -KG_PI / 4, KG_PI / 4};
+    enum { USUAL = 4, ANGLES = 12 };
+    static const int degrees[ANGLES] = {0, -90, -45, 45, -30, 30, -60, 60, -15, 15, -75, 75};
     double best = 0;
-    for (size_t k = 0; k < sizeof angles / sizeof *angles; k++) {
-        kg_caption caption = caption_new(w, text, PART_CAPITAL);
-        caption.angle = angles[k];
-        kg_vec2 half = kg_caption_half(&caption);
+    for (size_t k = 0; k < (best > 0 ? USUAL : ANGLES); k++) {
+        kg_caption caption = caption_new(w, KG_FRAME_BOX, text, PART_CAPITAL);
+        caption.angle = degrees[k] * KG_PI / 180;
+        kg_vec2 half = kg_badge_half(&caption);
         double room = kg_space_pole(w->space, w->part->number, caption.angle, half.x / half.y,
                                     &caption.centre);
         /* The pole is careful about the box's corners: from what it promises the text grows to
@@ -170,7 +158,7 @@ static bool label_part(const writer *w) {
     snprintf(number, sizeof number, "%d", w->part->number);
     if (fit_in_part(w, number, &caption))
         return label_add(w, &caption);
-    return place_with_leader(w, text, pole);
+    return place_with_leader(w, KG_FRAME_BOX, text, pole);
 }
 
 /* ---- joins -------------------------------------------------------------------------------------
@@ -240,9 +228,9 @@ static bool fit_at_edge(const writer *w, const stretch *s, const char *text, boo
         for (size_t k = 0; k < 27; k++) {
             kg_vec2 way;
             kg_vec2 at = stretch_at(w, s, fractions[k % 9], &way);
-            kg_caption caption = caption_new(w, text, capital);
+            kg_caption caption = caption_new(w, KG_FRAME_RING, text, capital);
             caption.angle = upright(atan2(way.y, way.x));
-            double away = capital / 2 + CLEARANCE + EDGE_DISTANCE + further[k / 9];
+            double away = kg_badge_half(&caption).y + CLEARANCE + EDGE_DISTANCE + further[k / 9];
             for (int side = 0; side < (s->edge ? 1 : 2); side++) {
                 double sign = (side == 0) != (s->edge && outside) ? 1 : -1;
                 caption.centre = kg_add2(at, kg_scale2(kg_v2(-way.y, way.x), sign * away));
@@ -268,7 +256,7 @@ static bool label_join_side(const writer *w, const kg_net_side *side, int join) 
         (outside && fit_at_edge(w, &s, text, false, &caption)))
         return label_add(w, &caption);
     kg_vec2 way;
-    return place_with_leader(w, text, stretch_at(w, &s, 0.5, &way));
+    return place_with_leader(w, KG_FRAME_RING, text, stretch_at(w, &s, 0.5, &way));
 }
 
 /* Parts first: their labels need the most room. */

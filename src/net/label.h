@@ -1,6 +1,6 @@
 /*
- * Words on the net: every part's number and name, every join's number at its edge or mark on both
- * sides.
+ * Words on the net: every part's number and name in a box, every join's number in a ring at its
+ * edge or mark on both sides.
  *
  * A part's label stands where its shape has most room (a pole of inaccessibility in the text's own
  * shape), shrinks where it must, loses the name, and at last stands outside with a leader line. A

@@ -23,6 +23,10 @@ void kg_drawing_mirror(kg_drawing *drawing) {
                 continue;
             caption->centre.x = drawing->size.x - caption->centre.x;
             caption->angle = -caption->angle;
+            /* A name stays beside its number. */
+            if (caption->align != KG_CAPTION_MIDDLE)
+                caption->align =
+                    caption->align == KG_CAPTION_START ? KG_CAPTION_END : KG_CAPTION_START;
         }
     }
 }

@@ -15,6 +15,15 @@
 #define KG_REGISTRATION_LEG 20.0
 #define KG_REGISTRATION_WIDTH 0.5
 
+/* mm. The page frame is drawn so far outside of the usable area, within the page, that what is cut
+ * along the area's edge is not taken for it, nor it for a cut. */
+#define KG_SHEET_FRAME_OUTSIDE 1.0
+
+/* Distance of the page frame from the page's edges, mm. */
+static inline double kg_sheet_frame(double margin) {
+    return fmax(margin - KG_SHEET_FRAME_OUTSIDE, margin / 2);
+}
+
 enum { KG_SHEET_FORBIDDEN_MAX = 8 };
 
 typedef struct kg_sheet {

@@ -118,6 +118,7 @@ static void write_stroke(svg *s, const kg_stroke *stroke) {
 }
 
 static void write_caption(svg *s, const kg_caption *caption) {
+    static const char *const anchors[] = {"middle", "start", "end"};
     const double degrees = 180 / KG_PI;
     kg_vec2 base = kg_caption_baseline(caption);
     element(s, "text");
@@ -132,7 +133,7 @@ static void write_caption(svg *s, const kg_caption *caption) {
     }
     attribute(s, "font-family", KG_TEXT_FAMILIES);
     attribute_number(s, "font-size", caption->capital / KG_TEXT_CAPITAL, "");
-    attribute(s, "text-anchor", "middle");
+    attribute(s, "text-anchor", anchors[caption->align]);
     attribute_colour(s, "fill", s->drawing->styles[caption->layer].colour);
     attribute(s, "stroke", "none");
     owner(s, caption->part, caption->source);

@@ -57,7 +57,18 @@ kg_vec2 kg_caption_half(const kg_caption *caption) {
     return kg_v2(kg_text_width(caption->text) * size / 2, caption->capital / 2);
 }
 
+double kg_caption_share(const kg_caption *caption) {
+    return caption->align == KG_CAPTION_START ? 0 : caption->align == KG_CAPTION_END ? 1 : 0.5;
+}
+
+kg_vec2 kg_caption_anchor(const kg_caption *caption) {
+    double along = (2 * kg_caption_share(caption) - 1) * kg_caption_half(caption).x;
+    return kg_add2(caption->centre,
+                   kg_scale2(kg_v2(cos(caption->angle), sin(caption->angle)), along));
+}
+
 kg_vec2 kg_caption_baseline(const kg_caption *caption) {
     double down = caption->capital / 2;
-    return kg_add2(caption->centre, kg_v2(-down * sin(caption->angle), down * cos(caption->angle)));
+    return kg_add2(kg_caption_anchor(caption),
+                   kg_v2(-down * sin(caption->angle), down * cos(caption->angle)));
 }

@@ -31,7 +31,11 @@ double kg_text_width(const char *text);
 /* Half width and half height of a caption's box, mm. */
 kg_vec2 kg_caption_half(const kg_caption *caption);
 
-/* Middle of the baseline. */
+/* Start, middle or end of the text, as it is aligned: at half its height, and on its baseline. */
+kg_vec2 kg_caption_anchor(const kg_caption *caption);
 kg_vec2 kg_caption_baseline(const kg_caption *caption);
+
+/* What of the text is before its anchor: 0, 0.5 or 1. */
+double kg_caption_share(const kg_caption *caption);
 
 #endif

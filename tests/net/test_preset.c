@@ -2,6 +2,7 @@
 #include "tests/net/sample.h"
 
 #include "base/file.h"
+#include "net/badge.h"
 #include "net/drawing.h"
 #include "net/layout.h"
 #include "net/perforation.h"
@@ -126,12 +127,24 @@ static void mirrored_pages_exchange_folds_and_keep_text_readable(void **state) {
     kg_net_destroy(net);
 }
 
+/* With its frame and underline. */
 static kg_block block_of(const kg_caption *caption) {
-    return (kg_block){caption->centre, kg_caption_half(caption), caption->angle};
+    return (kg_block){caption->centre, kg_badge_half(caption), caption->angle};
 }
 
-/* Every part has its number, every join shows on both sides, and no label lies on a line or on
- * another label. */
+/* The space between all lines of a page but the labels' own frames, underlines and leaders. */
+static void space_without_labels(const kg_page *page, kg_vec2 size, kg_space *out_space) {
+    kg_page bare = {.strokes.items = calloc(page->strokes.count + 1, sizeof(kg_stroke))};
+    assert_non_null(bare.strokes.items);
+    for (size_t i = 0; i < page->strokes.count; i++)
+        if (page->strokes.items[i].layer != KG_LAYER_LABEL)
+            bare.strokes.items[bare.strokes.count++] = page->strokes.items[i];
+    assert_true(kg_space_create(&bare, (kg_box2){{0, 0}, size}, out_space));
+    free(bare.strokes.items);
+}
+
+/* Every part has its number in a box, every join shows in a ring on both sides, and no label with
+ * its frame lies on a line of the part or on another label, no text on any line at all. */
 static void labels_are_complete_and_lie_on_nothing(void **state) {
     (void)state;
     for (int extra = 0; extra < 12; extra++) {
@@ -147,16 +160,21 @@ static void labels_are_complete_and_lie_on_nothing(void **state) {
         options.nest = extra % 2 == 1;
         options.scale = 1 - 0.04 * extra;
         kg_drawing *d = drawn(net, &options);
-        size_t labels = 0;
+        size_t boxes = 0, rings = 0, names = 0;
         for (size_t i = 0; i < d->page_count; i++) {
             const kg_captions *all = &d->pages[i].captions;
-            kg_space space;
+            kg_space space, lines;
             assert_true(kg_space_create(&d->pages[i], (kg_box2){{0, 0}, d->size}, &space));
+            space_without_labels(&d->pages[i], d->size, &lines);
             for (size_t k = 0; k < all->count; k++) {
-                kg_block block = block_of(&all->items[k]);
-                labels += all->items[k].layer == KG_LAYER_LABEL;
+                const kg_caption *c = &all->items[k];
+                kg_block block = block_of(c), text = {c->centre, kg_caption_half(c), c->angle};
+                boxes += c->frame == KG_FRAME_BOX;
+                rings += c->frame == KG_FRAME_RING;
+                names += c->layer == KG_LAYER_LABEL && c->frame == KG_FRAME_NONE;
                 assert_true(kg_space_holds(&space, &block));
-                assert_false(kg_space_blocked(&space, 0, &block));
+                assert_false(kg_space_blocked(&lines, 0, &block));
+                assert_false(kg_space_blocked(&space, 0, &text));
                 for (size_t j = 0; j < k; j++) {
                     kg_block other = block_of(&all->items[j]);
                     assert_false(kg_blocks_overlap(&block, &other));
@@ -164,14 +182,100 @@ static void labels_are_complete_and_lie_on_nothing(void **state) {
                 assert_true(all->items[k].capital >= 1.7);
             }
             kg_space_clear(&space);
+            kg_space_clear(&lines);
         }
-        assert_int_equal(labels, net->part_count + 2 * net->join_count);
+        assert_int_equal(boxes, net->part_count);
+        assert_int_equal(rings, 2 * net->join_count);
+        assert_true(names <= net->part_count);
         kg_drawing_destroy(d);
         kg_net_destroy(net);
     }
 }
 
-/* Strokes of the label layer on the page of a small sheet whose part has this number. */
+/* A box, a ring of one digit and one of three: each lies around its number, closed, as far out as
+ * kg_badge_half says, and leaders end on it. */
+static void frames_lie_around_their_numbers(void **state) {
+    (void)state;
+    char *texts[] = {"8", "8", "187", "6", "12 尾 y"};
+    const kg_frame frames[] = {KG_FRAME_BOX, KG_FRAME_RING, KG_FRAME_RING, KG_FRAME_RING,
+                               KG_FRAME_BOX};
+    for (int n = 0; n < 5; n++) {
+        kg_page page = {0};
+        kg_caption caption = {KG_LAYER_LABEL, frames[n], 1, 1, {30, 40}, 0.7, 2.2, 0, texts[n]};
+        kg_net_part part = {.number = 1};
+        assert_true(kg_badge_draw(&page, &caption, &part));
+        assert_int_equal(page.captions.count, n == 4 ? 2 : 1);
+        const kg_caption *c = &page.captions.items[0];
+        kg_vec2 half = kg_badge_half(c), text = kg_caption_half(c), along = {cos(0.7), sin(0.7)};
+        const kg_path *path = &page.strokes.items[0].path;
+        assert_int_equal(page.strokes.items[0].part, 1);
+        assert_int_equal(path->items[path->count - 1].verb, KG_PATH_CLOSE);
+        double far_x = 0, far_y = 0;
+        kg_vec2 at = {0, 0};
+        for (size_t i = 0; i + 1 < path->count; i++) {
+            const kg_path_step *s = &path->items[i];
+            kg_vec2 b[4] = {at, s->p[0], s->p[1], s->p[2]};
+            for (int k = 1; k <= 64; k++) {
+                kg_vec2 q = s->verb == KG_PATH_CURVE  ? kg_bezier2(b, k / 64.0)
+                            : s->verb == KG_PATH_LINE ? kg_lerp2(at, s->p[0], k / 64.0)
+                                                      : s->p[0];
+                kg_vec2 d = kg_sub2(q, c->centre);
+                kg_vec2 own = kg_v2(kg_dot2(d, along), kg_cross2(along, d));
+                far_x = fmax(far_x, fabs(own.x));
+                far_y = fmax(far_y, fabs(own.y));
+                /* The digits themselves: their box is on the generous side. */
+                assert_true(fabs(own.x) > 0.86 * text.x + 0.1 || fabs(own.y) > text.y + 0.1);
+                double reach = kg_badge_reach(c, kg_scale2(own, 1 / kg_len2(own)));
+                assert_near(kg_len2(own), reach, 0.002);
+            }
+            at = kg_path_end(s);
+        }
+        assert_near(far_x, half.x, 0.002);
+        assert_near(far_y, half.y, 0.002);
+        if (n == 4) {
+            const kg_caption *name = &page.captions.items[1];
+            kg_block box = block_of(c), beside = block_of(name);
+            assert_string_equal(c->text, "12");
+            assert_string_equal(name->text, "尾 y");
+            assert_int_equal(name->align, KG_CAPTION_START);
+            assert_false(kg_blocks_overlap(&box, &beside));
+            kg_vec2 whole = kg_badge_half(&caption), to = kg_caption_anchor(name);
+            assert_near(kg_dist2(c->centre, caption.centre), whole.x - half.x, 1e-9);
+            assert_near(kg_dist2(to, c->centre), half.x + 0.8, 1e-9);
+        }
+        for (size_t i = 0; i < page.strokes.count; i++)
+            kg_path_clear(&page.strokes.items[i].path);
+        for (size_t i = 0; i < page.captions.count; i++)
+            free(page.captions.items[i].text);
+        free(page.strokes.items);
+        free(page.captions.items);
+    }
+}
+
+/* What is cut along the edge of the usable area is no part of the page frame, nor it of a cut. */
+static void the_page_frame_keeps_off_the_parts(void **state) {
+    (void)state;
+    const double margins[] = {8, 1, 0.4};
+    kg_net *net = sample_net(0);
+    for (int n = 0; n < 3; n++) {
+        kg_net_options options = kg_net_options_default();
+        options.margin = margins[n];
+        kg_drawing *d = drawn(net, &options);
+        const kg_stroke *frame = NULL;
+        for (size_t i = 0; i < d->pages[0].strokes.count && !frame; i++)
+            if (d->pages[0].strokes.items[i].layer == KG_LAYER_GUIDE)
+                frame = &d->pages[0].strokes.items[i];
+        assert_non_null(frame);
+        kg_vec2 corner = frame->path.items[0].p[0];
+        double outside = n == 0 ? 1 : margins[n] / 2;
+        assert_near(corner.x, margins[n] - outside, 1e-12);
+        assert_near(corner.y, margins[n] - outside, 1e-12);
+        kg_drawing_destroy(d);
+    }
+    kg_net_destroy(net);
+}
+
+/* Open strokes of the label layer on the page of a small sheet whose part has this number. */
 static int underlines(int number) {
     kg_net *net = kg_net_create();
     size_t part;
@@ -182,8 +286,11 @@ static int underlines(int number) {
     kg_net_options options = kg_net_options_default();
     kg_drawing *d = drawn(net, &options);
     int count = 0;
-    for (size_t i = 0; i < d->pages[0].strokes.count; i++)
-        count += d->pages[0].strokes.items[i].layer == KG_LAYER_LABEL;
+    for (size_t i = 0; i < d->pages[0].strokes.count; i++) {
+        const kg_stroke *s = &d->pages[0].strokes.items[i];
+        count +=
+            s->layer == KG_LAYER_LABEL && s->path.items[s->path.count - 1].verb != KG_PATH_CLOSE;
+    }
     kg_drawing_destroy(d);
     kg_net_destroy(net);
     return count;
@@ -209,10 +316,11 @@ static void a_part_too_small_for_its_number_gets_a_leader(void **state) {
     options.frame = false;
     kg_drawing *d = drawn(net, &options);
     const kg_page *page = &d->pages[0];
-    assert_int_equal(page->captions.count, 1);
-    assert_string_equal(page->captions.items[0].text, "1 尾");
-    assert_int_equal(page->strokes.count, 2);
-    assert_int_equal(page->strokes.items[1].layer, KG_LAYER_LABEL);
+    assert_int_equal(page->captions.count, 2);
+    assert_string_equal(page->captions.items[0].text, "1");
+    assert_string_equal(page->captions.items[1].text, "尾");
+    assert_int_equal(page->strokes.count, 3); /* the sliver, the box, the leader */
+    assert_int_equal(page->strokes.items[2].layer, KG_LAYER_LABEL);
     kg_drawing_destroy(d);
     kg_net_destroy(net);
 }
@@ -281,6 +389,8 @@ int main(void) {
         cmocka_unit_test(parts_keep_clear_of_registration_marks),
         cmocka_unit_test(mirrored_pages_exchange_folds_and_keep_text_readable),
         cmocka_unit_test(labels_are_complete_and_lie_on_nothing),
+        cmocka_unit_test(frames_lie_around_their_numbers),
+        cmocka_unit_test(the_page_frame_keeps_off_the_parts),
         cmocka_unit_test(numbers_that_read_upside_down_are_underlined),
         cmocka_unit_test(a_part_too_small_for_its_number_gets_a_leader),
         cmocka_unit_test(dashes_and_gaps_add_up),

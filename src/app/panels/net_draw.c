@@ -6,6 +6,8 @@
 #include "app/ui/ui.h"
 #include "base/array.h"
 #include "net/clash.h"
+#include "net/sheet.h"
+#include "net/text.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -146,8 +148,8 @@ static void draw_stroke(const pen *p, const kg_stroke *stroke, kg_color color) {
 
 static void draw_caption(const pen *p, const kg_caption *c, kg_color color) {
     double turn = atan2(p->s, p->c);
-    kg_ui_canvas_text_turned(to_px(p, c->centre), c->angle + turn, c->capital * p->view->zoom,
-                             color, c->text);
+    kg_ui_canvas_text_turned(to_px(p, kg_caption_anchor(c)), c->angle + turn, kg_caption_share(c),
+                             c->capital * p->view->zoom, color, c->text);
 }
 
 /* ---- parts ------------------------------------------------------------------------------ */
@@ -260,7 +262,7 @@ static void draw_sheet(const kg_net_view *v, int page, bool extra) {
     kg_vec2 size = kg_scale2(p->layout->page_size, v->zoom);
     kg_area sheet = {at.x, at.y, size.x, size.y};
     kg_color color = paper;
-    double shadow = 3 * v->scale, margin = p->options.margin * v->zoom;
+    double shadow = 3 * v->scale, margin = kg_sheet_frame(p->options.margin) * v->zoom;
     color.a = extra ? 0.35F : 1;
     if (!extra)
         kg_ui_canvas_rect((kg_area){at.x + shadow, at.y + shadow, size.x, size.y},

@@ -10,8 +10,8 @@ static constexpr float CAPITAL = 0.72f;
 /* Below this many pixels text is a smudge. */
 static constexpr float LEAST_SIZE = 2.5f;
 
-void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double capital_px, kg_color color,
-                              const char *text) {
+void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double share, double capital_px,
+                              kg_color color, const char *text) {
     ImFont *font = ImGui::GetFont();
     float size = (float)capital_px / CAPITAL;
     if (size < LEAST_SIZE)
@@ -24,9 +24,10 @@ void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double capital_px, kg_co
     float width = font->CalcTextSizeA(size, FLT_MAX, 0, text).x;
     float baseline = font->Ascent * size / font->FontSize;
     int first = ui.canvas->VtxBuffer.Size;
-    ui.canvas->AddText(font, size,
-                       ImVec2(middle.x - width / 2, middle.y - baseline + (float)capital_px / 2),
-                       packed(color), text);
+    ui.canvas->AddText(
+        font, size,
+        ImVec2(middle.x - width * (float)share, middle.y - baseline + (float)capital_px / 2),
+        packed(color), text);
     float c = (float)std::cos(angle), s = (float)std::sin(angle);
     for (int i = first; i < ui.canvas->VtxBuffer.Size; i++) {
         ImVec2 &p = ui.canvas->VtxBuffer[i].pos;

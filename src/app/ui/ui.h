@@ -235,9 +235,10 @@ void kg_ui_canvas_frame(kg_area area, kg_color color, double width_px, double ro
 void kg_ui_canvas_label(kg_vec2 at, kg_color color, const char *text);
 /* Text with its middle at `at`. */
 void kg_ui_canvas_text(kg_vec2 at, kg_color color, const char *text);
-/* The same turned by `angle` (x towards y), `at` being the middle of a box as high as capitals. */
-void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double capital_px, kg_color color,
-                              const char *text);
+/* The same turned by `angle` (x towards y) about `at`, which is at half the height of capitals and
+ * has `share` of the text before it. */
+void kg_ui_canvas_text_turned(kg_vec2 at, double angle, double share, double capital_px,
+                              kg_color color, const char *text);
 /* Pictures live on the graphics card until they are destroyed, at the latest with the user
  * interface. */
 uint32_t kg_ui_picture_create(const kg_image *image);
