@@ -3,6 +3,7 @@
 #include "app/modes/card_scene.h"
 #include "app/modes/card_words.h"
 #include "app/panels/card_panels.h"
+#include "app/panels/panels.h"
 #include "app/text.h"
 
 #include <stdio.h>
@@ -10,15 +11,14 @@
 /* So many remarks are listed; what comes after them is counted only. */
 enum { LISTED = 100 };
 
-static const kg_color red = {0.95F, 0.4F, 0.3F, 1}, amber = {0.9F, 0.65F, 0.15F, 1};
-
 static void show_remark(kg_editor *e, int index) {
     kg_card_state *s = kg_card_state_of(e);
     const kg_oa_remark *r = &kg_document_remarks(e->document)->items[index];
     char place[160], text[512];
     kg_oa_remark_place(r, place, sizeof place);
     kg_ui_id_push(index);
-    kg_ui_icon(KG_ICON_WARNING, kg_oa_is_fault(r->trouble) ? red : amber);
+    kg_ui_icon(KG_ICON_WARNING,
+               kg_panel_severity_color(e, kg_oa_is_fault(r->trouble) ? KG_FAULT : KG_WARNING));
     kg_ui_same_line();
     snprintf(text, sizeof text, "%d  %s", index + 1, kg_card_trouble_name(r->trouble));
     if (kg_ui_selectable(text, s->shown_remark == index)) {

@@ -16,8 +16,6 @@ enum { MOST_NAMED = 6 };
 static const char *const way_ids[KG_WAY_COUNT] = {"fold.drag", "fold.axis", "fold.bisect",
                                                   "fold.square"};
 
-static const kg_color red = {0.95F, 0.4F, 0.3F, 1};
-
 static void show_way(kg_editor *e, const kg_fold_tool *t) {
     const char *names[KG_WAY_COUNT];
     int way = t ? (int)t->way : KG_WAY_DRAG;
@@ -123,11 +121,9 @@ static void show_gaps(kg_editor *e, const kg_fold_tool *t) {
 
 static void show_end(kg_editor *e, const kg_fold_tool *t) {
     if (t->given && t->refused) {
-        char reason[KG_ERROR_SIZE];
-        kg_fold_reason(t, reason, sizeof reason);
         kg_ui_space();
-        kg_ui_text_color(red, _("Refused"));
-        kg_ui_text_wrapped(reason);
+        kg_ui_text_color(kg_panel_severity_color(e, KG_FAULT), _("Refused"));
+        kg_ui_text_wrapped(t->reason);
         if (kg_fold_advice(t))
             kg_ui_text_wrapped(kg_fold_advice(t));
     }
@@ -183,7 +179,7 @@ void kg_panel_fold(kg_app *app, kg_area area) {
 static void label_text(const kg_fold_tool *t, char *out, size_t size) {
     int32_t count, now = kg_fold_layers_now(t, &count);
     if (t->given && t->refused)
-        kg_fold_reason(t, out, size);
+        snprintf(out, size, "%s", t->reason);
     else if (t->given && count > 1)
         snprintf(out, size, _("%.4g°, %d of %d layers"), t->angle_deg, now, count);
     else if (t->given)

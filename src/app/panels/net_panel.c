@@ -13,8 +13,6 @@
 /* Layout units. */
 enum { HEADER_HEIGHT = 34, ROW_HEIGHT = 24, MOST_ROWS = 5, LEAST_WIDTH = 400 };
 
-static const kg_color red = {0.95F, 0.4F, 0.3F, 1}, amber = {0.9F, 0.65F, 0.15F, 1};
-
 static const char *part_name(const kg_net_part *part, char out[], size_t size) {
     if (part->name[0])
         snprintf(out, size, "%d %s", part->number, part->name);
@@ -107,8 +105,8 @@ static int part_of_patch(const kg_net_picture *p, int64_t patch) {
 }
 
 /* A line of the list; a click shows what it is about. */
-static void warning(kg_app *app, kg_color color, const char *text, int part, int64_t patch) {
-    kg_ui_icon(KG_ICON_WARNING, color);
+static void warning(kg_app *app, kg_severity severity, const char *text, int part, int64_t patch) {
+    kg_ui_icon(KG_ICON_WARNING, kg_panel_severity_color(&app->editor, severity));
     kg_ui_same_line();
     if (kg_ui_selectable(text, false)) {
         if (patch)
@@ -127,7 +125,7 @@ static void show_warnings(kg_app *app, kg_area area) {
     char name[128], text[KG_ERROR_SIZE];
     kg_ui_panel_begin("net warnings", NULL, area, 0);
     if (kg_net_state_error(v->state)[0])
-        warning(app, red, kg_net_state_error(v->state), -1, 0);
+        warning(app, KG_FAULT, kg_net_state_error(v->state), -1, 0);
     for (size_t i = 0; p && i < p->net.net->part_count; i++) {
         const kg_net_part *part = &p->net.net->parts[i];
         unsigned clash = kg_net_view_clash(v, i);
@@ -137,7 +135,7 @@ static void show_warnings(kg_app *app, kg_area area) {
                  clash & KG_CLASH_OVERLAP ? _("%s lies on another part") : _("%s leaves the page"),
                  part_name(part, name, sizeof name));
         kg_ui_id_push((int64_t)i);
-        warning(app, red, text, (int)i, part->source);
+        warning(app, KG_FAULT, text, (int)i, part->source);
         kg_ui_id_pop();
     }
     for (size_t i = 0; p && i < p->net.remark_count; i++) {
@@ -147,7 +145,7 @@ static void show_warnings(kg_app *app, kg_area area) {
         snprintf(text, sizeof text, "%s%s%s", r->source ? name : "", r->source ? ": " : "",
                  r->message);
         kg_ui_id_push((int64_t)i);
-        warning(app, amber, text, part_of_patch(p, r->source), r->source);
+        warning(app, KG_WARNING, text, part_of_patch(p, r->source), r->source);
         kg_ui_id_pop();
     }
     kg_ui_panel_end();

@@ -83,8 +83,7 @@ static void row(kg_app *app, size_t index) {
         kg_ui_tooltip(issue->message);
     kg_ui_table_next();
     if (issue) {
-        kg_ui_icon(KG_ICON_WARNING, issue->severity == KG_FAULT ? (kg_color){0.9F, 0.25F, 0.15F, 1}
-                                                                : (kg_color){0.9F, 0.65F, 0.1F, 1});
+        kg_ui_icon(KG_ICON_WARNING, kg_panel_severity_color(e, issue->severity));
         kg_ui_tooltip(issue->message);
     }
     kg_ui_table_next();

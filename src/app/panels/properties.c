@@ -208,27 +208,8 @@ static bool is_of_rulings(const kg_issue *issue) {
            strcmp(issue->code, "bad-patch") == 0;
 }
 
-/* Of bad rulings in the user's language, other messages as the kernel has them. */
-static void describe_issue(const kg_issue *issue, const kg_solved_patch *s, char *out,
-                           size_t size) {
-    const kg_patch *p = &s->patch;
-    double degree = 180 / KG_PI;
-    int side = p->extent[0] != p->wished_extent[0] ? 0 : 1;
-    if (s->prepared && strcmp(issue->code, "extent-clamped") == 0)
-        snprintf(out, size,
-                 _("The extent is cut back to %.1f … %.1f mm: beyond, the paper would fold back on "
-                   "itself, first at v = %.2f."),
-                 p->extent[0], p->extent[1], p->regression_v[side]);
-    else if (s->prepared && strcmp(issue->code, "flat-ruling") == 0)
-        snprintf(out, size, _("At v = %.2f the rulings run at only %.1f° to the geodesic."),
-                 p->flattest_v, fmin(p->theta[0], KG_PI - p->theta[1]) * degree);
-    else
-        snprintf(out, size, "%s", issue->message);
-}
-
 static void show_issues(kg_editor *e, int64_t patch) {
     const kg_solution *s = kg_editor_solution(e);
-    char text[KG_ERROR_SIZE];
     bool bad_rulings = false;
     for (size_t i = 0; i < kg_solution_issue_count(s); i++) {
         const kg_issue *issue = kg_solution_issue(s, i);
@@ -237,8 +218,7 @@ static void show_issues(kg_editor *e, int64_t patch) {
         kg_ui_space();
         kg_ui_text_color(kg_panel_severity_color(e, issue->severity),
                          issue->severity == KG_FAULT ? _("Fault") : _("Warning"));
-        describe_issue(issue, kg_solution_find(s, patch), text, sizeof text);
-        kg_ui_text_wrapped(text);
+        kg_ui_text_wrapped(issue->message);
         bad_rulings = bad_rulings || is_of_rulings(issue);
     }
     /* run at the end: it solves anew */

@@ -417,11 +417,8 @@ static const char *hint_now(const kg_editor *e) {
         N_("Click the point that the fold goes through   Ctrl: steps   Alt: free"),
     };
     const kg_fold_tool *t = kg_fold_tool_seen(e);
-    static char reason[KG_ERROR_SIZE];
-    if (t && t->given && t->refused) {
-        kg_fold_reason(t, reason, sizeof reason);
-        return reason;
-    }
+    if (t && t->given && t->refused)
+        return t->reason;
     switch (t ? t->phase : KG_PHASE_READY) {
     case KG_PHASE_DRAGGING:
         return _("Let go to fold   numbers: angle   wheel: layers   Shift+wheel: between   Ctrl: "

@@ -75,7 +75,7 @@ typedef struct kg_fold_tool {
     kg_fold fold;
     kg_fold_preview preview;
     bool refused;
-    kg_error error;
+    char reason[KG_ERROR_SIZE]; /* why, translated */
     kg_fold_gap *gaps; /* found when first asked for; NULL: not yet */
     size_t gap_count;
     int32_t between[2]; /* faces chosen to end between; -1, -1: outside */
@@ -115,8 +115,6 @@ kg_status kg_fold_done(kg_editor *editor, kg_error *error) KG_CHECKED;
 /* Folds what the last fold folded back where it was, as one step of the history: its crease stays.
  * KG_ERR_INPUT when other paper is in the way, or there is none. */
 kg_status kg_fold_back(kg_editor *editor, kg_error *error) KG_CHECKED;
-/* Why the fold being made is refused, translated. */
-void kg_fold_reason(const kg_fold_tool *tool, char *out, size_t size);
 /* What would help, translated; NULL: the reason says all. */
 const char *kg_fold_advice(const kg_fold_tool *tool);
 

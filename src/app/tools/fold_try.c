@@ -135,10 +135,37 @@ int32_t kg_fold_layers_now(const kg_fold_tool *t, int32_t *out_count) {
 
 /* ---- working it out ---------------------------------------------------------------------- */
 
+static void say_reason(kg_fold_tool *t, const kg_error *error) {
+    const size_t size = sizeof t->reason;
+    char *out = t->reason;
+    const kg_fold_preview *p = &t->preview;
+    int a = p->faces[0], b = p->faces[1];
+    switch (p->fault) {
+    case KG_FOLD_IN_WAY:
+        snprintf(out, size, _("Paper is in the way: face %d meets face %d at %.1f°"), a, b,
+                 p->meets_deg);
+        break;
+    case KG_FOLD_AT_EDGE:
+        snprintf(out, size, _("Faces %d and %d would pass through each other at their edge"), a, b);
+        break;
+    case KG_FOLD_HELD:
+        snprintf(out, size, _("Face %d would pull at face %d, which is held"), a, b);
+        break;
+    case KG_FOLD_ALL_MOVES:
+        snprintf(out, size, "%s", _("The axis is beside the paper: all of it would move"));
+        break;
+    default:
+        snprintf(out, size, _("It cannot be folded: %s"), error->message);
+    }
+}
+
 static void work_out(kg_editor *e, kg_fold_tool *t) {
+    kg_error error;
     if (t->given)
         kg_fold_preview_clear(&t->preview);
-    t->refused = kg_fold_preview_make(kg_sheets_of(e)->state, &t->fold, &t->preview, &t->error);
+    t->refused = kg_fold_preview_make(kg_sheets_of(e)->state, &t->fold, &t->preview, &error);
+    if (t->refused)
+        say_reason(t, &error);
     t->given = true;
 }
 
@@ -253,28 +280,6 @@ void kg_fold_set_gap(kg_editor *e, size_t gap) {
 
 /* ---- making it --------------------------------------------------------------------------- */
 
-void kg_fold_reason(const kg_fold_tool *t, char *out, size_t size) {
-    const kg_fold_preview *p = &t->preview;
-    int a = p->faces[0], b = p->faces[1];
-    switch (p->fault) {
-    case KG_FOLD_IN_WAY:
-        snprintf(out, size, _("Paper is in the way: face %d meets face %d at %.1f°"), a, b,
-                 p->meets_deg);
-        break;
-    case KG_FOLD_AT_EDGE:
-        snprintf(out, size, _("Faces %d and %d would pass through each other at their edge"), a, b);
-        break;
-    case KG_FOLD_HELD:
-        snprintf(out, size, _("Face %d would pull at face %d, which is held"), a, b);
-        break;
-    case KG_FOLD_ALL_MOVES:
-        snprintf(out, size, "%s", _("The axis is beside the paper: all of it would move"));
-        break;
-    default:
-        snprintf(out, size, _("It cannot be folded: %s"), t->error.message);
-    }
-}
-
 const char *kg_fold_advice(const kg_fold_tool *t) {
     switch (t->preview.fault) {
     case KG_FOLD_IN_WAY:
@@ -302,11 +307,8 @@ kg_status kg_fold_done(kg_editor *e, kg_error *error) {
         return kg_fail(error, KG_ERR_INPUT, "No fold is being made");
     if (!kg_sheets_can_fold(e))
         return kg_fail(error, KG_ERR_INPUT, "%s", kg_sheets_why_not(e));
-    if (t->refused) {
-        char reason[KG_ERROR_SIZE];
-        kg_fold_reason(t, reason, sizeof reason);
-        return kg_fail(error, KG_ERR_INPUT, "%s", reason);
-    }
+    if (t->refused)
+        return kg_fail(error, KG_ERR_INPUT, "%s", t->reason);
     kg_fold fold = t->fold;
     fold.layers = fold.layers > 1 ? fold.layers : 0; /* as files leave it out */
     kg_fold_drop(e);
