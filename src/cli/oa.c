@@ -97,6 +97,26 @@ static bool tell(void *user, double fraction, const char *what) {
     return true;
 }
 
+/* Tells of patches that wobble: it is no failure, since the card folds all the same. */
+static kg_status say_loose(const kg_oa *oa, bool mended, kg_error *error) {
+    kg_oa_sheet *sheet;
+    kg_oa_stability *stability;
+    kg_status status = kg_oa_sheet_create(oa, &sheet, error);
+    if (status)
+        return status;
+    status = kg_oa_stability_create(sheet, &stability, error);
+    kg_oa_sheet_destroy(sheet);
+    if (status)
+        return status;
+    if (stability->loose_count > 0)
+        fprintf(stderr, "katagami oa: warning: patches that are loose: %zu; %s\n",
+                stability->loose_count,
+                mended ? "no small change helps, another --size may"
+                       : "--stable changes a few cells so that the card stands");
+    kg_oa_stability_destroy(stability);
+    return KG_OK;
+}
+
 static kg_status convert(const kg_arguments *a, const kg_oa_options *wanted, const char *output,
                          kg_error *error) {
     kg_progress progress = {kg_arguments_get(a, "progress") ? tell : NULL, NULL};
@@ -113,6 +133,8 @@ static kg_status convert(const kg_arguments *a, const kg_oa_options *wanted, con
         fputc('\n', stderr);
     if (!status && !kg_arguments_get(a, "cell"))
         kg_document_card_fit(oa);
+    if (!status)
+        status = say_loose(oa, wanted->stable, error);
     if (!status) {
         free(oa->title);
         oa->title = title ? strdup(title) : kg_file_stem(a->words[0]);

@@ -174,7 +174,9 @@ def test_mesh_becomes_a_card():
 
 
 def converted(name, *words):
-    run("oa", DATA / "castle.obj", "-o", f"{name}.katagami", *words)
+    told = run("oa", DATA / "castle.obj", "-o", f"{name}.katagami", *words).stderr
+    stands = "[loose]" not in run("check", f"{name}.katagami").stdout
+    assert stands != ("warning: patches that are loose: " in told), told
     return json.loads((HERE / f"{name}.katagami").read_text(encoding="utf-8"))["oa"]
 
 
