@@ -7,14 +7,8 @@ uniform int part;          // 0 the core, which hides what is behind; 1 its soft
 noperspective in vec2 across;
 noperspective in float reach;
 in float arc_length;
-flat in uint line_index;
 
-#ifdef PICK
-uniform uint id;
-layout(location = 0) out uvec2 picked;
-#else
 layout(location = 0) out vec4 color;
-#endif
 
 bool in_gap() {
     float period = dashes.x + dashes.y + dashes.z + dashes.w;
@@ -29,11 +23,7 @@ void main() {
     float coverage = clamp(0.5 * width + 0.5 - d, 0.0, 1.0);
     if (coverage <= 0.0 || in_gap())
         discard;
-#ifdef PICK
-    picked = uvec2(id, line_index);
-#else
     if ((coverage < 0.75) != (part == 1))
         discard;
     color = vec4(color_in.rgb, color_in.a * coverage * min(width, 1.0));
-#endif
 }

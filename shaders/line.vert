@@ -12,12 +12,10 @@ layout(location = 0) in vec4 start; // xyz, and the length of the polyline up to
 layout(location = 1) in vec4 end;
 layout(location = 2) in vec3 normal_a; // see kg_segment
 layout(location = 3) in vec3 normal_b;
-layout(location = 4) in uint element;
 
 noperspective out vec2 across;   // px, from `start`: along the segment, to its side
 noperspective out float reach;   // px, length of the segment on the screen
 out float arc_length;            // mm
-flat out uint line_index;
 
 // A line on a surface must win against it over its whole width, at any slope up to 45 degrees: draw it
 // as if it were the nearest side of a rod of that width.
@@ -29,7 +27,6 @@ vec3 lift(vec3 p) {
 void main() {
     vec4 a = vec4((model_view * vec4(start.xyz, 1.0)).xyz, start.w);
     vec4 b = vec4((model_view * vec4(end.xyz, 1.0)).xyz, end.w);
-    line_index = element;
 
     vec3 to_eye = ortho ? vec3(0.0, 0.0, 1.0) : -a.xyz;
     mat3 turn = mat3(model_view);

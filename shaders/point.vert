@@ -9,7 +9,6 @@ uniform bool ortho;
 layout(location = 0) in vec3 position;
 
 noperspective out vec2 offset; // px
-flat out uint point_index;
 
 void main() {
     vec3 p = (model_view * vec4(position, 1.0)).xyz;
@@ -21,5 +20,4 @@ void main() {
     offset = vec2((gl_VertexID & 1) != 0 ? margin : -margin,
                   (gl_VertexID & 2) != 0 ? margin : -margin);
     gl_Position = vec4(c.xy + offset * 2.0 / viewport * c.w, c.z, c.w);
-    point_index = uint(gl_InstanceID);
 }

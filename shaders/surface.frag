@@ -14,11 +14,6 @@ const vec3 lamp = normalize(vec3(-0.45, 0.65, 0.85));
 const float floor_light = 0.46, sky_light = 0.74, lamp_light = 0.36;
 const float back_glow = 0.4; // backs stay lighter than fronts even turned away from the lamp
 
-#ifdef PICK
-uniform uint id;
-layout(location = 0) out uvec2 picked;
-void main() { picked = uvec2(id, uint(gl_PrimitiveID)); }
-#else
 layout(location = 0) out vec4 color;
 
 vec3 facing_normal() {
@@ -42,4 +37,3 @@ void main() {
     }
     color = vec4(mix(min(c, 1.0), highlight.rgb, highlight.a), front.a);
 }
-#endif

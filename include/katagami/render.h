@@ -177,7 +177,6 @@ KG_API kg_style kg_style_default(kg_color color);
 typedef struct kg_item {
     const kg_shape *shape;
     kg_style style;
-    uint32_t id; /* for picking; 0 cannot be picked */
 } kg_item;
 
 /* All that one picture shows. Opaque surfaces come first, then lines and points in their order,
@@ -207,21 +206,6 @@ typedef struct kg_viewport {
  * bound, and another glViewport. */
 KG_API void kg_renderer_draw(kg_renderer *renderer, const kg_scene *scene, const kg_camera *camera,
                              kg_viewport viewport);
-
-/* What lies under a pixel. */
-typedef struct kg_pick {
-    uint32_t id;      /* the item's; 0 when nothing is there */
-    uint32_t element; /* index of the triangle, polyline or point in its shape */
-    kg_vec3 position; /* mm, on the shape, as exact as the depth buffer */
-} kg_pick;
-
-/* Finds what is drawn at `pixel` (x right, y down from the viewport's upper left corner, in
- * framebuffer pixels). Within `radius_px` the nearest point wins, then the nearest line, then the
- * surface at the pixel itself. See-through surfaces count like opaque ones; to reach what lies
- * behind a hit, pick again without its item. KG_ERR_SYSTEM when the card cannot make the buffer. */
-KG_API kg_status kg_renderer_pick(kg_renderer *renderer, const kg_scene *scene,
-                                  const kg_camera *camera, kg_viewport viewport, kg_vec2 pixel,
-                                  double radius_px, kg_pick *out_pick, kg_error *error) KG_CHECKED;
 
 /* ---- pictures --------------------------------------------------------------------------- */
 

@@ -38,10 +38,10 @@ static void draw_axis(const kg_renderer *renderer, const kg_frame *frame, int ax
     kg_shape *shape = NULL;
     if (kg_shape_from_lines(&lines, &shape, NULL))
         return; /* out of memory: a picture without axes */
-    kg_item item = {shape, kg_style_default(colors[axis]), 0};
+    kg_item item = {shape, kg_style_default(colors[axis])};
     item.style.size_px = 2;
-    kg_frame_item(renderer, frame, &item, KG_PART_CORE, 0);
-    kg_frame_item(renderer, frame, &item, KG_PART_RIM, 0);
+    kg_frame_item(renderer, frame, &item, KG_PART_CORE);
+    kg_frame_item(renderer, frame, &item, KG_PART_RIM);
     kg_shape_destroy(shape);
 }
 

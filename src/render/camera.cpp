@@ -175,11 +175,3 @@ void kg_camera_projection(const kg_camera *camera, double aspect, double near, d
                           float out_matrix[16]) {
     store(projection(*camera, aspect, near, far), out_matrix);
 }
-
-kg_vec3 kg_camera_unproject(const kg_camera *camera, double width_px, double height_px,
-                            kg_vec2 pixel, double depth, double near, double far) {
-    glm::dvec3 window(pixel.x, height_px - pixel.y, depth);
-    return vec(glm::unProject(window, view(*camera, glm::dvec3(0)),
-                              projection(*camera, width_px / height_px, near, far),
-                              glm::dvec4(0, 0, width_px, height_px)));
-}

@@ -21,10 +21,6 @@ void kg_camera_view(const kg_camera *camera, kg_vec3 origin, float out_matrix[16
 void kg_camera_projection(const kg_camera *camera, double aspect, double near, double far,
                           float out_matrix[16]);
 
-/* The world point at a pixel (y down) whose depth buffer value is `depth` in [0,1]. */
-kg_vec3 kg_camera_unproject(const kg_camera *camera, double width_px, double height_px,
-                            kg_vec2 pixel, double depth, double near, double far);
-
 #ifdef __cplusplus
 }
 #endif

@@ -124,11 +124,10 @@ kg_status kg_shape_from_edges(const kg_surface *surface, double crease, kg_shape
                            sides[next].high == sides[i].high;)
             next++;
         kg_vec3 a = surface->positions[sides[i].low], b = surface->positions[sides[i].high];
-        kg_segment *s = &segments[count];
+        kg_segment *s = &segments[count++];
         kg_shape_store(kg_sub(a, center), s->start);
         kg_shape_store(kg_sub(b, center), s->end);
         s->end[3] = (float)kg_dist(a, b);
-        s->line = (uint32_t)count++;
         if (next == i + 2)
             set_normals(surface, &sides[i], crease, s);
     }

@@ -25,7 +25,6 @@ kg_status kg_shape_from_lines(const kg_lines *lines, kg_shape **out_shape, kg_er
             s->start[3] = (float)length;
             length += kg_dist(a, b);
             s->end[3] = (float)length;
-            s->line = (uint32_t)i;
         }
     }
     status = kg_shape_from_segments(segments, count, box, out_shape, error);

@@ -22,7 +22,6 @@ static const char *const uniform_names[KG_UNIFORM_COUNT] = {
     [KG_UNIFORM_SQUARE] = "square",
     [KG_UNIFORM_RAISE] = "raise",
     [KG_UNIFORM_PART] = "part",
-    [KG_UNIFORM_ID] = "id",
     [KG_UNIFORM_TOP] = "top",
     [KG_UNIFORM_BOTTOM] = "bottom",
 };
@@ -36,12 +35,10 @@ static const struct {
     [KG_PROGRAM_BACKGROUND] = {"background", kg_shader_background_vert, kg_shader_background_frag},
 };
 
-static bool attach(GLuint program, GLenum stage, bool picking, const char *text, char *log,
-                   GLsizei log_size) {
+static bool attach(GLuint program, GLenum stage, const char *text, char *log, GLsizei log_size) {
     GLuint shader = glCreateShader(stage);
-    const char *parts[] = {"#version 330 core\n", picking ? "#define PICK\n" : "", "#line 1\n",
-                           text};
-    glShaderSource(shader, 4, parts, NULL);
+    const char *parts[] = {"#version 330 core\n", "#line 1\n", text};
+    glShaderSource(shader, 3, parts, NULL);
     glCompileShader(shader);
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -53,13 +50,12 @@ static bool attach(GLuint program, GLenum stage, bool picking, const char *text,
     return compiled;
 }
 
-kg_status kg_program_create(kg_program_kind kind, bool picking, kg_program *out_program,
-                            kg_error *error) {
+kg_status kg_program_create(kg_program_kind kind, kg_program *out_program, kg_error *error) {
     char log[512] = "";
     kg_program p = {glCreateProgram(), {0}};
     GLint linked = GL_FALSE;
-    if (attach(p.name, GL_VERTEX_SHADER, picking, sources[kind].vertex, log, sizeof log) &&
-        attach(p.name, GL_FRAGMENT_SHADER, picking, sources[kind].fragment, log, sizeof log)) {
+    if (attach(p.name, GL_VERTEX_SHADER, sources[kind].vertex, log, sizeof log) &&
+        attach(p.name, GL_FRAGMENT_SHADER, sources[kind].fragment, log, sizeof log)) {
         glLinkProgram(p.name);
         glGetProgramiv(p.name, GL_LINK_STATUS, &linked);
         if (!linked)

@@ -29,7 +29,6 @@ typedef enum kg_uniform {
     KG_UNIFORM_SQUARE,
     KG_UNIFORM_RAISE,
     KG_UNIFORM_PART,
-    KG_UNIFORM_ID,
     KG_UNIFORM_TOP,
     KG_UNIFORM_BOTTOM,
     KG_UNIFORM_COUNT
@@ -48,9 +47,8 @@ typedef enum kg_program_kind {
     KG_PROGRAM_COUNT
 } kg_program_kind;
 
-/* `picking` makes the program write ids instead of colours. A program that fails to compile is a
- * driver's fault: KG_ERR_SYSTEM with its log. */
-kg_status kg_program_create(kg_program_kind kind, bool picking, kg_program *out_program,
+/* One that fails to compile is a driver's fault: KG_ERR_SYSTEM with its log. */
+kg_status kg_program_create(kg_program_kind kind, kg_program *out_program,
                             kg_error *error) KG_CHECKED;
 
 #endif

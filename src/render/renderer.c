@@ -18,7 +18,7 @@ kg_status kg_renderer_create(kg_renderer **out_renderer, kg_error *error) {
         return kg_fail(error, KG_ERR_MEMORY, "no memory for a renderer");
     kg_status status = KG_OK;
     for (int i = 0; !status && i < KG_PROGRAM_COUNT; i++)
-        status = kg_program_create((kg_program_kind)i, false, &r->programs[i], error);
+        status = kg_program_create((kg_program_kind)i, &r->programs[i], error);
     if (status) {
         kg_renderer_destroy(r);
         return status;
@@ -33,8 +33,6 @@ void kg_renderer_destroy(kg_renderer *renderer) {
         return;
     for (int i = 0; i < KG_PROGRAM_COUNT; i++)
         glDeleteProgram(renderer->programs[i].name);
-    for (int i = 0; i <= KG_SHAPE_POINTS; i++)
-        glDeleteProgram(renderer->pickers[i].name);
     glDeleteVertexArrays(1, &renderer->no_vertices);
     free(renderer);
 }
@@ -119,10 +117,9 @@ static void use_lines_or_points(const kg_program *p, const kg_frame *frame, cons
 }
 
 void kg_frame_item(const kg_renderer *renderer, const kg_frame *frame, const kg_item *item,
-                   kg_part part, uint32_t id) {
+                   kg_part part) {
     const kg_shape *shape = item->shape;
-    const kg_program *p =
-        part == KG_PART_ID ? &renderer->pickers[shape->kind] : &renderer->programs[shape->kind];
+    const kg_program *p = &renderer->programs[shape->kind];
     float model_view[16];
     kg_camera_view(frame->camera, shape->origin, model_view);
     glUseProgram(p->name);
@@ -130,7 +127,6 @@ void kg_frame_item(const kg_renderer *renderer, const kg_frame *frame, const kg_
     glUniformMatrix4fv(p->at[KG_UNIFORM_PROJECTION], 1, GL_FALSE, frame->projection);
     glUniform1i(p->at[KG_UNIFORM_ORTHO], frame->camera->ortho);
     glUniform1i(p->at[KG_UNIFORM_PART], part == KG_PART_RIM);
-    glUniform1ui(p->at[KG_UNIFORM_ID], id);
     if (shape->kind == KG_SHAPE_SURFACE)
         use_surface(p, frame, &item->style);
     else
@@ -167,14 +163,14 @@ static void draw_thin(const kg_renderer *renderer, const kg_frame *frame, const 
         faint.style.color.a *= item->style.hidden;
         glDepthMask(GL_FALSE);
         glDepthFunc(GL_GREATER);
-        kg_frame_item(renderer, frame, &faint, KG_PART_CORE, 0);
-        kg_frame_item(renderer, frame, &faint, KG_PART_RIM, 0);
+        kg_frame_item(renderer, frame, &faint, KG_PART_CORE);
+        kg_frame_item(renderer, frame, &faint, KG_PART_RIM);
         glDepthFunc(GL_LEQUAL);
     }
     glDepthMask(is_opaque(item));
-    kg_frame_item(renderer, frame, item, KG_PART_CORE, 0);
+    kg_frame_item(renderer, frame, item, KG_PART_CORE);
     glDepthMask(GL_FALSE);
-    kg_frame_item(renderer, frame, item, KG_PART_RIM, 0);
+    kg_frame_item(renderer, frame, item, KG_PART_RIM);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
 }
@@ -186,9 +182,9 @@ static void draw_see_through(const kg_renderer *renderer, const kg_frame *frame,
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_FALSE);
     glCullFace(GL_FRONT);
-    kg_frame_item(renderer, frame, item, KG_PART_CORE, 0);
+    kg_frame_item(renderer, frame, item, KG_PART_CORE);
     glCullFace(GL_BACK);
-    kg_frame_item(renderer, frame, item, KG_PART_CORE, 0);
+    kg_frame_item(renderer, frame, item, KG_PART_CORE);
     glDepthMask(GL_TRUE);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
@@ -224,16 +220,15 @@ static const kg_item *next_see_through(const kg_scene *scene, const kg_camera *c
  * of any size shines through only within half a pixel of its rim. The surfaces among themselves are
  * drawn unpushed, or the far side of a steep one would win over its near side at their common edge.
  */
-void kg_frame_push_depth(const kg_renderer *renderer, const kg_frame *frame, const kg_scene *scene,
-                         kg_part part) {
+static void push_depth(const kg_renderer *renderer, const kg_frame *frame, const kg_scene *scene) {
     glClear(GL_DEPTH_BUFFER_BIT);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2 * (float)frame->viewport.pixel_ratio, 1);
     for (size_t i = 0; i < scene->item_count; i++) {
         const kg_item *item = &scene->items[i];
-        if (is_surface(item) && (part == KG_PART_ID ? item->id != 0 : is_opaque(item)))
-            kg_frame_item(renderer, frame, item, part, 0);
+        if (is_surface(item) && is_opaque(item))
+            kg_frame_item(renderer, frame, item, KG_PART_CORE);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -251,7 +246,7 @@ static void draw_items(const kg_renderer *renderer, const kg_frame *frame, const
     for (size_t i = 0; i < scene->item_count; i++) {
         const kg_item *item = &scene->items[i];
         if (is_surface(item) && is_opaque(item))
-            kg_frame_item(renderer, frame, item, KG_PART_CORE, 0);
+            kg_frame_item(renderer, frame, item, KG_PART_CORE);
     }
     for (size_t i = 0; i < scene->item_count; i++)
         if (is_exact(&scene->items[i]) && is_surface(&scene->items[i]))
@@ -260,7 +255,7 @@ static void draw_items(const kg_renderer *renderer, const kg_frame *frame, const
         if (is_exact(&scene->items[i]) && !is_surface(&scene->items[i]))
             draw_thin(renderer, frame, &scene->items[i]);
     if (has_thin_items(scene))
-        kg_frame_push_depth(renderer, frame, scene, KG_PART_CORE);
+        push_depth(renderer, frame, scene);
     for (size_t i = 0; i < scene->item_count; i++) {
         const kg_item *item = &scene->items[i];
         if (!is_surface(item) && is_opaque(item) && !is_exact(item))
@@ -280,7 +275,7 @@ static void draw_silhouette(const kg_renderer *renderer, const kg_frame *frame,
         if (!is_surface(&item))
             continue;
         item.style = (kg_style){.color = black, .back = black, .unlit = true};
-        kg_frame_item(renderer, frame, &item, KG_PART_CORE, 0);
+        kg_frame_item(renderer, frame, &item, KG_PART_CORE);
     }
 }
 

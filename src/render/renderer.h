@@ -10,8 +10,7 @@
 
 struct kg_renderer {
     kg_program programs[KG_PROGRAM_COUNT];
-    kg_program pickers[KG_SHAPE_POINTS + 1]; /* by shape kind */
-    GLuint no_vertices;                      /* the vertex array of the background */
+    GLuint no_vertices; /* the vertex array of the background */
 };
 
 /* A camera and the framebuffer pixels it fills. */
@@ -29,17 +28,12 @@ typedef struct kg_rect {
 
 kg_frame kg_frame_make(const kg_camera *camera, kg_box3 box, kg_viewport viewport);
 
-/* How an item is drawn: a picture's core and rim (see line.frag), or picking ids. */
-typedef enum kg_part { KG_PART_CORE, KG_PART_RIM, KG_PART_ID } kg_part;
+/* A line or point is drawn in two parts: its core and its soft rim (see line.frag). */
+typedef enum kg_part { KG_PART_CORE, KG_PART_RIM } kg_part;
 
-/* Draws one item under the current depth, blend and cull settings; `id` only for KG_PART_ID. */
+/* Draws one item under the current depth, blend and cull settings. */
 void kg_frame_item(const kg_renderer *renderer, const kg_frame *frame, const kg_item *item,
-                   kg_part part, uint32_t id);
-
-/* Replaces the depth buffer by one in which the drawn surfaces (for KG_PART_ID those with an id)
- * stay behind their outlines. */
-void kg_frame_push_depth(const kg_renderer *renderer, const kg_frame *frame, const kg_scene *scene,
-                         kg_part part);
+                   kg_part part);
 
 /* kg_renderer_draw() into a part `clip` of the framebuffer: pictures larger than one framebuffer
  * are drawn tile by tile. */

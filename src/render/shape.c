@@ -127,10 +127,6 @@ kg_status kg_shape_from_segments(const kg_segment *segments, size_t count, kg_bo
     attribute(1, 4, stride, offsetof(kg_segment, end), true);
     attribute(2, 3, stride, offsetof(kg_segment, normal_a), true);
     attribute(3, 3, stride, offsetof(kg_segment, normal_b), true);
-    glEnableVertexAttribArray(4);
-    glVertexAttribIPointer(4, 1, GL_UNSIGNED_INT, (GLsizei)stride,
-                           (const void *)offsetof(kg_segment, line));
-    glVertexAttribDivisor(4, 1);
     unbind();
     *out_shape = shape;
     return KG_OK;

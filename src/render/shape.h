@@ -23,7 +23,6 @@ typedef struct kg_segment {
     float start[4], end[4];
     float normal_a[3], normal_b[3]; /* of the surfaces on both sides: drawn only where one faces
                                        the eye and the other does not; 0: drawn always */
-    uint32_t line;                  /* its index, for picking */
 } kg_segment;
 
 /* `box` holds all of the segments; its center is their origin. */

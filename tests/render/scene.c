@@ -52,8 +52,8 @@ kg_shape *line(kg_vec3 a, kg_vec3 b) {
     return shape;
 }
 
-kg_item item_of(const kg_shape *shape, kg_color color, uint32_t id) {
-    kg_item item = {shape, kg_style_default(color), id};
+kg_item item_of(const kg_shape *shape, kg_color color) {
+    kg_item item = {shape, kg_style_default(color)};
     item.style.unlit = true;
     return item;
 }

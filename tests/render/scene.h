@@ -19,7 +19,7 @@ kg_shape *surface(kg_vec3 *positions, size_t vertices, uint32_t *triangles, size
 kg_shape *square_at(double y, double h);
 kg_shape *cube(double h);
 kg_shape *line(kg_vec3 a, kg_vec3 b);
-kg_item item_of(const kg_shape *shape, kg_color color, uint32_t id);
+kg_item item_of(const kg_shape *shape, kg_color color);
 kg_image picture(const kg_scene *scene, const kg_camera *camera);
 const uint8_t *at(const kg_image *image, int x, int y);
 void assert_pixel(const kg_image *image, int x, int y, kg_color c);

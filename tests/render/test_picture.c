@@ -9,7 +9,7 @@
 static void silhouette_of_a_cube_has_its_area(void **state) {
     (void)state;
     kg_shape *c = cube(30);
-    kg_item item = item_of(c, white, 1); /* its own colour must not matter */
+    kg_item item = item_of(c, white); /* its own colour must not matter */
     kg_scene scene = scene_of(&item, 1);
     scene.silhouette = true;
     kg_camera camera = front_camera();
@@ -28,7 +28,7 @@ static void silhouette_of_a_cube_has_its_area(void **state) {
 static void both_sides_have_their_own_colour(void **state) {
     (void)state;
     kg_shape *s = square_at(0, 50);
-    kg_item item = item_of(s, red, 1);
+    kg_item item = item_of(s, red);
     item.style.back = blue;
     kg_scene scene = scene_of(&item, 1);
     kg_camera camera = front_camera();
@@ -46,7 +46,7 @@ static void both_sides_have_their_own_colour(void **state) {
 static void shaded_fronts_are_darker_than_backs(void **state) {
     (void)state;
     kg_shape *s = square_at(0, 80);
-    kg_item item = item_of(s, kg_palette(0), 1);
+    kg_item item = item_of(s, kg_palette(0));
     item.style.unlit = false;
     kg_scene scene = scene_of(&item, 1);
     kg_camera camera = front_camera();
@@ -68,8 +68,8 @@ static void nearer_surfaces_hide_farther_ones_in_any_order(void **state) {
     (void)state;
     kg_shape *near = square_at(-20, 30), *far = square_at(20, 60);
     for (int order = 0; order < 2; order++) {
-        kg_item items[2] = {item_of(order ? near : far, order ? red : blue, 1),
-                            item_of(order ? far : near, order ? blue : red, 2)};
+        kg_item items[2] = {item_of(order ? near : far, order ? red : blue),
+                            item_of(order ? far : near, order ? blue : red)};
         kg_scene scene = scene_of(items, 2);
         kg_camera camera = front_camera();
         kg_image image = picture(&scene, &camera);
@@ -84,8 +84,8 @@ static void nearer_surfaces_hide_farther_ones_in_any_order(void **state) {
 static void see_through_surfaces_mix_from_far_to_near(void **state) {
     (void)state;
     kg_shape *shapes[3] = {square_at(20, 60), square_at(0, 60), square_at(-20, 60)};
-    kg_item items[3] = {item_of(shapes[0], blue, 1), item_of(shapes[1], red, 2),
-                        item_of(shapes[2], green, 3)};
+    kg_item items[3] = {item_of(shapes[0], blue), item_of(shapes[1], red),
+                        item_of(shapes[2], green)};
     items[1].style.color.a = items[2].style.color.a = 0.5f;
     const kg_color expected = {0.25f, 0.5f, 0.25f, 1};
     static const int orders[3][3] = {{0, 1, 2}, {2, 1, 0}, {1, 0, 2}};
@@ -104,7 +104,7 @@ static void see_through_surfaces_mix_from_far_to_near(void **state) {
 static void highlight_tints_a_surface(void **state) {
     (void)state;
     kg_shape *s = square_at(0, 50);
-    kg_item item = item_of(s, blue, 1);
+    kg_item item = item_of(s, blue);
     item.style.highlight = (kg_color){1, 1, 0, 0.25f};
     kg_scene scene = scene_of(&item, 1);
     kg_camera camera = front_camera();
@@ -120,7 +120,7 @@ static void shapes_far_from_zero_keep_their_shape(void **state) {
     kg_vec3 p[3] = {kg_v3(far, 0, 0), kg_v3(far + 50, 0, 0), kg_v3(far, 0, 50)};
     uint32_t t[3] = {0, 1, 2};
     kg_shape *s = surface(p, 3, t, 1);
-    kg_item item = item_of(s, (kg_color){0, 0, 0, 1}, 1);
+    kg_item item = item_of(s, (kg_color){0, 0, 0, 1});
     kg_camera camera = front_camera();
     camera.center = kg_v3(far, 0, 0);
     assert_near(darkness_of(&item, 1, &camera), 0.5 * 50 * 50, 50);
@@ -132,7 +132,7 @@ static void shapes_far_from_zero_keep_their_shape(void **state) {
 static void a_line_has_its_width_and_dashes(void **state) {
     (void)state;
     kg_shape *l = line(kg_v3(-60, 0, -20), kg_v3(60, 0, 30));
-    kg_item item = item_of(l, black, 1);
+    kg_item item = item_of(l, black);
     kg_camera camera = front_camera();
     for (float width = 1; width < 9; width *= 2) {
         item.style.size_px = width;
@@ -150,7 +150,7 @@ static void a_line_has_its_width_and_dashes(void **state) {
 static void outlines_stay_whole_on_tilted_surfaces(void **state) {
     (void)state;
     kg_shape *s = square_at(0, 80), *l = line(kg_v3(-60, 0, -50), kg_v3(70, 0, 60));
-    kg_item items[2] = {item_of(l, black, 1), item_of(s, white, 2)};
+    kg_item items[2] = {item_of(l, black), item_of(s, white)};
     items[0].style.size_px = 3;
     items[1].style.back = white;
     for (int i = 0; i < 2 * 7 * 7; i++) {
@@ -168,7 +168,7 @@ static void outlines_stay_whole_on_tilted_surfaces(void **state) {
 static void hidden_lines_show_as_faintly_as_asked(void **state) {
     (void)state;
     kg_shape *s = square_at(-20, 80), *l = line(kg_v3(-50, 0, 0), kg_v3(50, 0, 0));
-    kg_item items[2] = {item_of(s, white, 1), item_of(l, black, 2)};
+    kg_item items[2] = {item_of(s, white), item_of(l, black)};
     items[1].style.size_px = 4;
     kg_camera camera = front_camera();
     double alone = darkness_of(items + 1, 1, &camera);
@@ -188,7 +188,7 @@ static void a_line_through_the_eye_is_cut_at_it(void **state) {
     /* From the middle of the picture, through a pixel of the right half, to far behind the eye. */
     kg_vec3 start = kg_v3(0, 0, 0), beyond = kg_v3(80, -5 * camera.distance, 0);
     kg_shape *l = line(start, beyond), *s = square_at(0, 90);
-    kg_item items[2] = {item_of(l, black, 1), item_of(s, white, 2)};
+    kg_item items[2] = {item_of(l, black), item_of(s, white)};
     items[0].style.size_px = 4;
     kg_scene scene = scene_of(items, 2);
     kg_image image = picture(&scene, &camera);
@@ -209,7 +209,7 @@ static void points_are_discs_or_squares(void **state) {
     kg_vec3 p[3] = {kg_v3(-50, 0, 0), kg_v3(0, 0, 30), kg_v3(50, 0, 0)};
     kg_shape *s = NULL;
     assert_int_equal(kg_shape_from_points(p, 3, &s, NULL), KG_OK);
-    kg_item item = item_of(s, black, 1);
+    kg_item item = item_of(s, black);
     kg_camera camera = front_camera();
     item.style.size_px = 12;
     assert_near(darkness_of(&item, 1, &camera), 3 * 36 * KG_PI, 6);
@@ -225,7 +225,7 @@ static double edge_darkness(const kg_surface *s, double crease, const kg_camera 
     kg_shape *shapes[2] = {NULL, NULL};
     assert_int_equal(kg_shape_from_surface(s, &shapes[0], NULL), KG_OK);
     assert_int_equal(kg_shape_from_edges(s, crease, &shapes[1], NULL), KG_OK);
-    kg_item items[2] = {item_of(shapes[0], white, 1), item_of(shapes[1], black, 2)};
+    kg_item items[2] = {item_of(shapes[0], white), item_of(shapes[1], black)};
     items[0].style.back = white;
     items[1].style.size_px = 2;
     double sum = darkness_of(items, 2, camera);
@@ -295,7 +295,7 @@ static void a_tube_shows_its_contour_from_every_side(void **state) {
 static void the_same_scene_gives_the_same_bytes(void **state) {
     (void)state;
     kg_shape *c = cube(40), *l = line(kg_v3(-90, -50, -70), kg_v3(90, -50, 80));
-    kg_item items[2] = {item_of(c, kg_palette(1), 1), item_of(l, kg_palette(2), 2)};
+    kg_item items[2] = {item_of(c, kg_palette(1)), item_of(l, kg_palette(2))};
     items[0].style.unlit = false;
     kg_scene scene = scene_of(items, 2);
     scene.axes = true;
@@ -313,7 +313,7 @@ static void tiles_join_without_a_seam(void **state) {
     (void)state;
     enum { WIDTH = 1200, HEIGHT = 40 };
     kg_shape *c = cube(1);
-    kg_item item = item_of(c, kg_palette(1), 1);
+    kg_item item = item_of(c, kg_palette(1));
     item.style.unlit = false;
     kg_scene scene = scene_of(&item, 1);
     kg_camera camera = kg_camera_default();
@@ -357,7 +357,7 @@ static void axes_stay_in_their_corner(void **state) {
 static void png_files_hold_the_picture_with_its_transparency(void **state) {
     (void)state;
     kg_shape *s = square_at(0, 50);
-    kg_item item = item_of(s, red, 1);
+    kg_item item = item_of(s, red);
     item.style.color.a = 0.5f;
     kg_scene scene = {.items = &item, .item_count = 1};
     kg_camera camera = front_camera();
@@ -435,7 +435,7 @@ static void empty_shapes_draw_nothing(void **state) {
     assert_int_equal(kg_shape_from_points(NULL, 0, &shapes[2], NULL), KG_OK);
     kg_item items[3];
     for (int i = 0; i < 3; i++)
-        items[i] = item_of(shapes[i], black, 1);
+        items[i] = item_of(shapes[i], black);
     items[0].style.color.a = 0.5f;
     kg_camera camera = front_camera();
     assert_near(darkness_of(items, 3, &camera), 0, 0);
