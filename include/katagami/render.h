@@ -13,6 +13,7 @@
 
 #include "katagami/base.h"
 #include "katagami/mesh.h"
+#include "katagami/model.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -37,6 +38,11 @@ KG_API kg_color kg_color_from_linear(const float rgba[4]);
 /* 0xrrggbb, as nets and sheets hold them, opaque; and back. */
 KG_API kg_color kg_color_from_rgb(uint32_t rgb);
 KG_API uint32_t kg_color_to_rgb(kg_color color);
+/* "#rrggbb"; false, and nothing is set, for other texts and NULL. */
+KG_API bool kg_color_parse(const char *text, kg_color *out_color);
+
+/* The colour a patch is shown in everywhere: its own, else that of its id in the palette. */
+KG_API kg_color kg_patch_color(const kg_model_patch *patch);
 
 /* ---- camera ----------------------------------------------------------------------------- */
 

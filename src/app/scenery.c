@@ -20,22 +20,8 @@ struct kg_scenery {
 
 /* ---- colours ---------------------------------------------------------------------------- */
 
-bool kg_color_parse(const char *text, kg_color *out_color) {
-    if (!text || text[0] != '#' || strspn(text + 1, "0123456789abcdefABCDEF") != 6 || text[7])
-        return false;
-    *out_color = kg_color_from_rgb((uint32_t)strtoul(text + 1, NULL, 16));
-    return true;
-}
-
 void kg_color_print(kg_color c, char out[8]) {
     snprintf(out, 8, "#%06x", (unsigned)kg_color_to_rgb(c));
-}
-
-kg_color kg_patch_color(const kg_model_patch *patch) {
-    kg_color color;
-    return kg_color_parse(kg_model_patch_color(patch), &color)
-               ? color
-               : kg_palette((size_t)(patch->id - 1));
 }
 
 kg_color kg_rank_color(int rank) {

@@ -29,9 +29,7 @@ kg_status kg_scenery_thumbnail(kg_scenery *stage, const kg_overlay *overlay,
 /* Lines so many layout units wide. */
 kg_style kg_line_style(kg_color color, float width);
 
-/* The colour a patch is shown in: its own, else the palette's. */
-kg_color kg_patch_color(const kg_model_patch *patch);
-bool kg_color_parse(const char *text, kg_color *out_color); /* "#rrggbb" */
+/* "#rrggbb" */
 void kg_color_print(kg_color color, char out[8]);
 
 /* Colours of a selected patch by its rank, apart also for colour-blind eyes. */

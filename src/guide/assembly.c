@@ -219,6 +219,14 @@ static kg_status fill(const kg_pieces *pieces, const int *parts, kg_assembly *ou
     return status ? status : add_joins(pieces, out);
 }
 
+/* Parts are made from one patch each, or merged into that of one. */
+static void add_colors(const kg_model *model, kg_assembly *out) {
+    for (size_t i = 0; i < out->net->part_count; i++) {
+        const kg_model_patch *p = kg_model_find(model, out->net->parts[i].source);
+        out->parts[i].color = p ? kg_patch_color(p) : kg_palette(i);
+    }
+}
+
 kg_status kg_assembly_create(const kg_document *document, const kg_net *net, kg_vec2 room,
                              kg_assembly **out_assembly, kg_error *error) {
     kg_pieces pieces = {0};
@@ -241,6 +249,7 @@ kg_status kg_assembly_create(const kg_document *document, const kg_net *net, kg_
     }
     if (!status) {
         find_parts(&pieces, net, parts, parent);
+        add_colors(document->model, out);
         status = fill(&pieces, parts, out, error);
     }
     free(parts);

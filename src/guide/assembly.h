@@ -11,6 +11,7 @@ enum { KG_ASSEMBLY_SAMPLES = 96 };
 typedef struct kg_assembly_part {
     kg_surface surface; /* fronts outward; without triangles when nothing is known of the part */
     size_t piece_count;
+    kg_color color; /* of the patch it is made from */
     kg_box3 box;
     kg_vec3 centre; /* of its area */
     kg_vec3 front;  /* mean normal, not of unit length */

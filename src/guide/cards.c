@@ -121,8 +121,8 @@ kg_status kg_guide_card(kg_guide *g, const kg_document *d, kg_error *error) {
     const kg_oa *oa = kg_document_oa((kg_document *)(uintptr_t)d); /* read only */
     const kg_oa_sheet *sheet = kg_document_sheet(d);
     double cell = oa->cell_mm * g->layout->scale;
-    kg_words(text, sizeof text, KG_WORD_CARD_GUIDE);
-    kg_book_write(g->paper, &title_text, kg_document_title(d)[0] ? kg_document_title(d) : text);
+    kg_book_write(g->paper, &title_text,
+                  g->title ? g->title : kg_words(text, sizeof text, KG_WORD_CARD_GUIDE));
     g->paper->y += 1;
     kg_book_write(
         g->paper, &plain,

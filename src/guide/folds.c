@@ -30,8 +30,8 @@ static const kg_text title_text = {KG_BOOK_TITLE, KG_INK, KG_ALIGN_LEFT, 2},
 static void write_opening(kg_guide *g, const kg_origami *o) {
     char text[KG_SENTENCE];
     const kg_origami_state *s = kg_origami_state_at(o, 0);
-    kg_words(text, sizeof text, KG_WORD_SHEETS_GUIDE);
-    kg_book_write(g->paper, &title_text, kg_origami_title(o)[0] ? kg_origami_title(o) : text);
+    kg_book_write(g->paper, &title_text,
+                  g->title ? g->title : kg_words(text, sizeof text, KG_WORD_SHEETS_GUIDE));
     g->paper->y += 1;
     int32_t sheets = 0;
     for (size_t i = 0; i < s->loops.count; i++)

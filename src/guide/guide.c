@@ -85,10 +85,10 @@ static kg_status order_parts(kg_guide *guide, kg_error *error) {
     return status;
 }
 
-static kg_status open_paper(kg_guide *guide, kg_word footing, const char *titled, kg_error *error) {
+static kg_status open_paper(kg_guide *guide, kg_word footing, kg_error *error) {
     char title[KG_SENTENCE], footer[KG_SENTENCE];
     kg_words(title, sizeof title, KG_WORD_UNTITLED);
-    kg_words(footer, sizeof footer, footing, titled && titled[0] ? titled : title);
+    kg_words(footer, sizeof footer, footing, guide->title ? guide->title : title);
     return kg_book_create(paper_size(guide), footer, footer, &guide->paper, error);
 }
 
@@ -100,14 +100,14 @@ static kg_status write_assembly(kg_guide *guide, const kg_document *document,
     if (!status)
         status = kg_stage_create(guide->assembly, &guide->stage, error);
     if (!status)
-        status = open_paper(guide, KG_WORD_FOOTER, guide->net->title, error);
+        status = open_paper(guide, KG_WORD_FOOTER, error);
     if (!status)
         status = kg_guide_opening(guide, error);
     return status ? status : kg_guide_steps(guide, error);
 }
 
 static kg_status write_folds(kg_guide *guide, const kg_origami *origami, kg_error *error) {
-    kg_status status = open_paper(guide, KG_WORD_SHEETS_FOOTER, kg_origami_title(origami), error);
+    kg_status status = open_paper(guide, KG_WORD_SHEETS_FOOTER, error);
     return status ? status : kg_guide_folds(guide, origami, error);
 }
 
@@ -116,6 +116,10 @@ kg_status kg_guide_write_memory(const kg_document *document, const kg_document_n
                                 const kg_progress *progress, char **out_data, size_t *out_size,
                                 kg_error *error) {
     kg_guide guide = {.net = net->net, .layout = layout, .options = options, .progress = progress};
+    const char *title = kg_document_title(document), *path = kg_document_path(document);
+    bool named = path && strcmp(path, "-") != 0;
+    char *name = title[0] || !named ? NULL : kg_file_stem(path);
+    guide.title = title[0] ? title : name && name[0] ? name : NULL;
     kg_status status = KG_OK;
     switch (kg_document_get_kind(document)) {
     case KG_DOCUMENT_PATCHES:
@@ -126,7 +130,7 @@ kg_status kg_guide_write_memory(const kg_document *document, const kg_document_n
             write_folds(&guide, kg_document_origami((kg_document *)(uintptr_t)document), error);
         break;
     case KG_DOCUMENT_OA:
-        status = open_paper(&guide, KG_WORD_CARD_FOOTER, kg_document_title(document), error);
+        status = open_paper(&guide, KG_WORD_CARD_FOOTER, error);
         if (!status)
             status = kg_guide_card(&guide, document, error);
         break;
@@ -142,6 +146,7 @@ kg_status kg_guide_write_memory(const kg_document *document, const kg_document_n
     kg_stage_destroy(guide.stage);
     kg_guide_order_destroy(guide.order);
     kg_assembly_destroy(guide.assembly);
+    free(name);
     return status;
 }
 

@@ -10,6 +10,7 @@
 enum { KG_SENTENCE = 768 }; /* bytes, enough for every sentence with long names */
 
 typedef struct kg_guide {
+    const char *title; /* of the model, else its file's name; NULL: it has neither */
     const kg_net *net;
     const kg_net_layout *layout;
     const kg_net_options *options;

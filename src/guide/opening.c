@@ -50,9 +50,8 @@ static kg_status add_cover(kg_guide *g, kg_error *error) {
     if (!roles)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     memset(roles, KG_ROLE_STANDING, g->net->part_count + 1);
-    bool titled = g->net->title && g->net->title[0];
     kg_book_write(paper, &title_text,
-                  titled ? g->net->title : kg_words(text, sizeof text, KG_WORD_UNTITLED));
+                  g->title ? g->title : kg_words(text, sizeof text, KG_WORD_UNTITLED));
     kg_book_write(paper, &faint, kg_words(text, sizeof text, KG_WORD_GUIDE));
     paper->y += 6;
 
@@ -130,7 +129,7 @@ static void show_thumbnail(kg_guide *g, size_t index, const thumbnail *t, kg_vec
     kg_book *paper = g->paper;
     const kg_net_part *part = &g->net->parts[index];
     const kg_assembly_part *shape = &g->assembly->parts[index];
-    kg_color c = kg_palette(index);
+    kg_color c = shape->color;
     cairo_save(paper->cr);
     cairo_translate(paper->cr, centre.x, centre.y);
     cairo_scale(paper->cr, scale, scale);

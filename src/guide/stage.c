@@ -142,7 +142,7 @@ static kg_status add_part(kg_stage *s, const kg_view_of *view, size_t i, kg_stag
         surface = moved[0];
         edges = moved[1];
     }
-    kg_style style = kg_style_default(look == KG_LOOK_COLORS ? kg_palette(i)
+    kg_style style = kg_style_default(look == KG_LOOK_COLORS ? s->assembly->parts[i].color
                                       : new                  ? kg_color_from_rgb(KG_STAGE_NEW)
                                             : kg_color_from_rgb(KG_STAGE_STANDING));
     if (look == KG_LOOK_STEP)

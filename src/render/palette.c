@@ -2,6 +2,9 @@
 
 #include "base/color.h"
 
+#include <stdlib.h>
+#include <string.h>
+
 static kg_color mix(kg_color a, float white, float t) {
     kg_color c = {a.r + (white - a.r) * t, a.g + (white - a.g) * t, a.b + (white - a.b) * t, a.a};
     return c;
@@ -50,4 +53,11 @@ static uint32_t byte_of(float x) {
 
 uint32_t kg_color_to_rgb(kg_color c) {
     return byte_of(c.r) << 16 | byte_of(c.g) << 8 | byte_of(c.b);
+}
+
+bool kg_color_parse(const char *text, kg_color *out_color) {
+    if (!text || text[0] != '#' || strspn(text + 1, "0123456789abcdefABCDEF") != 6 || text[7])
+        return false;
+    *out_color = kg_color_from_rgb((uint32_t)strtoul(text + 1, NULL, 16));
+    return true;
 }

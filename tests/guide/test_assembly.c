@@ -66,6 +66,9 @@ static void parts_and_joins_are_as_large_as_on_paper(void **state) {
             const kg_assembly_part *part = &assembly->parts[i];
             assert_true(isinf(part->radius_in) && isinf(part->radius_out));
             assert_near(kg_len(part->front), 1, 1e-6);
+            /* as the app shows the patch, whatever its place in the net is */
+            assert_int_equal(kg_color_to_rgb(part->color),
+                             kg_color_to_rgb(kg_palette((size_t)(net->parts[i].source - 1))));
             /* fronts outward */
             assert_true(kg_dot(part->front, part->centre) > 0);
         }
@@ -97,7 +100,7 @@ static void halves_of_a_part_too_large_are_parts_of_their_own(void **state) {
     const kg_vec2 room = {190, 277};
     kg_document *document = solved_document(
         "{\"katagami\":1,\"kind\":\"patches\",\"patches\":[{\"id\":1,\"points\":[[0,0,0],"
-        "[150,0,60],[250,0,60],[400,0,0]],\"extent\":[-40,40]}]}");
+        "[150,0,60],[250,0,60],[400,0,0]],\"extent\":[-40,40],\"color\":\"#12Ab56\"}]}");
     kg_unrolled *unrolled;
     assert_int_equal(kg_unroll_to_fit(kg_document_model(document), kg_document_solution(document),
                                       room, &unrolled, NULL),
@@ -107,6 +110,8 @@ static void halves_of_a_part_too_large_are_parts_of_their_own(void **state) {
     assert_int_equal(unrolled->net->part_count, 2);
     assert_int_equal(unrolled->net->join_count, 1);
     assert_matches(assembly, unrolled->net);
+    for (int i = 0; i < 2; i++)
+        assert_int_equal(kg_color_to_rgb(assembly->parts[i].color), 0x12ab56);
     /* each half lies on its own side of the seam */
     double at = assembly->joins[0].points[0].x;
     assert_true((assembly->parts[0].centre.x < at) != (assembly->parts[1].centre.x < at));

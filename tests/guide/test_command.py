@@ -74,6 +74,20 @@ def test_a_guide_names_parts_and_joins_as_the_net_does():
         assert "1 Edge of part 2 (壁 wall) onto the mark on part 1 (床), 60 mm" in text, text
 
 
+def test_a_guide_without_a_title_bears_the_name_of_its_file():
+    with folder():
+        pathlib.Path("m.katagami").write_text(
+            json.dumps({k: v for k, v in MODEL.items() if k != "title"}), encoding="utf-8")
+        os.rename("m.katagami", "Little room.katagami")
+        done = subprocess.run([PROGRAM, "net", "Little room.katagami", "-o", "net.svg", "--guide",
+                               "guide.pdf"], capture_output=True, text=True, check=False)
+        if done.returncode == 1 and "EGL" in done.stderr:
+            raise script.Skip("this machine cannot draw")
+        text = words_of("guide.pdf")
+        assert "Little room" in text and "Little room · assembly guide" in text, text
+        assert "Paper model" not in text, text
+
+
 def test_without_drawing_nothing_is_written():
     with folder():
         done = net("-o", "net.svg", "--guide", "guide.pdf", "--json", "report.json",
