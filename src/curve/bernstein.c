@@ -22,28 +22,6 @@ static double power(double t, int n) {
     return r;
 }
 
-double kg_bernstein_eval(const double *a, int n, double t) {
-    double s = 1 - t;
-    double acc, c = 1;
-    if (t <= 0.5) {
-        /* sum over C(n,i) r^i, from the low end with a running power */
-        double r = t / s, w = 1;
-        acc = a[0];
-        for (int i = 1; i <= n; i++) {
-            w *= r * (n - i + 1) / i;
-            acc += w * a[i];
-        }
-        return acc * power(s, n);
-    }
-    double r = s / t;
-    acc = a[n];
-    for (int i = 1; i <= n; i++) {
-        c *= r * (n - i + 1) / i;
-        acc += c * a[n - i];
-    }
-    return acc * power(t, n);
-}
-
 kg_vec3 kg_bernstein_eval3(const kg_vec3 *a, int n, double t) {
     /* step / i is a table so that the loop holds no division */
     static const double inverse[KG_BERNSTEIN_MAX_DEGREE + 1] = {
@@ -62,12 +40,6 @@ kg_vec3 kg_bernstein_eval3(const kg_vec3 *a, int n, double t) {
         acc = kg_madd(acc, w, low ? a[i] : a[n - i]);
     }
     return kg_scale(acc, power(low ? s : t, n));
-}
-
-void kg_bernstein_derivative3(const kg_vec3 *a, int n, kg_vec3 *out) {
-    assert(n >= 1);
-    for (int i = 0; i < n; i++)
-        out[i] = kg_scale(kg_sub(a[i + 1], a[i]), n);
 }
 
 /* Products: with a^[i] = C(n,i) a[i] the coefficients simply convolve. */

@@ -12,13 +12,9 @@ enum { KG_BERNSTEIN_MAX_DEGREE = 48 };
 /* C(n, k) for n <= KG_BERNSTEIN_MAX_DEGREE; exact in double. */
 double kg_binomial(int n, int k);
 
-/* Values by Horner's scheme in t/(1-t) or (1-t)/t: n multiply-adds, all basis terms positive, so
+/* The value by Horner's scheme in t/(1-t) or (1-t)/t: n multiply-adds, all basis terms positive, so
  * as stable as de Casteljau. */
-double kg_bernstein_eval(const double *a, int n, double t);
 kg_vec3 kg_bernstein_eval3(const kg_vec3 *a, int n, double t);
-
-/* Coefficients of the derivative, degree n - 1 (n >= 1). */
-void kg_bernstein_derivative3(const kg_vec3 *a, int n, kg_vec3 *out);
 
 /* Products, degree n + m. `out` must not overlap the inputs. */
 void kg_bernstein_mul(const double *a, int n, const double *b, int m, double *out);
