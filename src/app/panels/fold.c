@@ -27,13 +27,16 @@ static void show_way(kg_editor *e, const kg_fold_tool *t) {
     kg_ui_tooltip(_(kg_command_find(way_ids[way])->help));
 }
 
-static void show_angle(kg_editor *e, const kg_fold_tool *t) {
+static void show_angle(kg_editor *e, kg_fold_tool *t) {
     double angle = t->angle_deg;
     kg_ui_width(FIELD_WIDTH);
     if (kg_ui_slider(_("angle"), &angle, -180, 180, "%.1f°") & KG_FIELD_CHANGED)
         kg_fold_set_angle(e, angle);
     kg_ui_tooltip(_("180: flat. Positive towards you (valley), negative away from you (mountain). "
-                    "While folding, just type it."));
+                    "While folding, just type it. After the fold it is 180 again."));
+    kg_ui_same_line();
+    kg_ui_check(_("keep"), &t->keeps_angle);
+    kg_ui_tooltip(_("The next folds turn as far; else they are flat again."));
     if (kg_ui_radio(_("valley"), t->angle_deg > 0) && t->angle_deg < 0)
         kg_fold_set_angle(e, -t->angle_deg);
     kg_ui_same_line();

@@ -89,13 +89,6 @@ static void show_header(kg_app *app, kg_area area) {
 
 /* ---- what is wrong ---------------------------------------------------------------------- */
 
-static size_t warning_count(const kg_net_view *v, const kg_net_picture *p) {
-    size_t count = kg_net_state_error(v->state)[0] != '\0';
-    for (size_t i = 0; p && i < p->net.net->part_count; i++)
-        count += kg_net_view_clash(v, i) != 0;
-    return count + (p ? p->net.remark_count : 0);
-}
-
 /* The first part made of a patch, -1 for none. */
 static int part_of_patch(const kg_net_picture *p, int64_t patch) {
     for (size_t i = 0; i < p->net.net->part_count; i++)
@@ -104,28 +97,42 @@ static int part_of_patch(const kg_net_picture *p, int64_t patch) {
     return -1;
 }
 
-/* A line of the list; a click shows what it is about. */
-static void warning(kg_app *app, kg_severity severity, const char *text, int part, int64_t patch) {
-    kg_ui_icon(KG_ICON_WARNING, kg_panel_severity_color(&app->editor, severity));
-    kg_ui_same_line();
-    if (kg_ui_selectable(text, false)) {
-        if (patch)
-            kg_editor_select(&app->editor, patch, false);
-        if (part >= 0)
-            kg_net_view_show_part(&app->net_view, (size_t)part);
-    }
-    if (kg_ui_item_hovered() && patch)
-        app->editor.hover_patch = patch;
-    kg_ui_tooltip(text);
+/* What the net is warned of: of itself, a part (-1: none), a patch (0: none). */
+typedef struct warning {
+    kg_severity severity;
+    const char *text;
+    int part;
+    int64_t patch;
+} warning;
+
+/* Lines of text that it takes in the list. */
+static size_t measure_warning(kg_app *app, const warning *w) {
+    const double beside = 72; /* icon, bar, padding; layout units */
+    return kg_ui_line_count(w->text, app->net_view.area.width / app->net_view.scale - beside);
 }
 
-static void show_warnings(kg_app *app, kg_area area) {
+/* A click shows what it is about. */
+static size_t show_warning(kg_app *app, const warning *w) {
+    kg_ui_icon(KG_ICON_WARNING, kg_panel_severity_color(&app->editor, w->severity));
+    kg_ui_same_line();
+    if (kg_ui_selectable_lines(w->text, false)) {
+        if (w->patch)
+            kg_editor_select(&app->editor, w->patch, false);
+        if (w->part >= 0)
+            kg_net_view_show_part(&app->net_view, (size_t)w->part);
+    }
+    if (kg_ui_item_hovered() && w->patch)
+        app->editor.hover_patch = w->patch;
+    return 1;
+}
+
+/* The sum of what `act` returns of each. */
+static size_t each_warning(kg_app *app, size_t (*act)(kg_app *app, const warning *w)) {
     const kg_net_view *v = &app->net_view;
     const kg_net_picture *p = kg_net_state_picture(v->state);
+    const char *error = kg_net_state_error(v->state);
     char name[128], text[KG_ERROR_SIZE];
-    kg_ui_panel_begin("net warnings", NULL, area, 0);
-    if (kg_net_state_error(v->state)[0])
-        warning(app, KG_FAULT, kg_net_state_error(v->state), -1, 0);
+    size_t sum = error[0] ? act(app, &(warning){KG_FAULT, error, -1, 0}) : 0;
     for (size_t i = 0; p && i < p->net.net->part_count; i++) {
         const kg_net_part *part = &p->net.net->parts[i];
         unsigned clash = kg_net_view_clash(v, i);
@@ -135,7 +142,7 @@ static void show_warnings(kg_app *app, kg_area area) {
                  clash & KG_CLASH_OVERLAP ? _("%s lies on another part") : _("%s leaves the page"),
                  part_name(part, name, sizeof name));
         kg_ui_id_push((int64_t)i);
-        warning(app, KG_FAULT, text, (int)i, part->source);
+        sum += act(app, &(warning){KG_FAULT, text, (int)i, part->source});
         kg_ui_id_pop();
     }
     for (size_t i = 0; p && i < p->net.remark_count; i++) {
@@ -145,9 +152,15 @@ static void show_warnings(kg_app *app, kg_area area) {
         snprintf(text, sizeof text, "%s%s%s", r->source ? name : "", r->source ? ": " : "",
                  r->message);
         kg_ui_id_push((int64_t)i);
-        warning(app, KG_WARNING, text, part_of_patch(p, r->source), r->source);
+        sum += act(app, &(warning){KG_WARNING, text, part_of_patch(p, r->source), r->source});
         kg_ui_id_pop();
     }
+    return sum;
+}
+
+static void show_warnings(kg_app *app, kg_area area) {
+    kg_ui_panel_begin("net warnings", NULL, area, 0);
+    each_warning(app, show_warning);
     kg_ui_panel_end();
 }
 
@@ -303,11 +316,9 @@ static void show(kg_app *app, kg_area area) {
     kg_net_view *v = &app->net_view;
     kg_editor *e = &app->editor;
     double s = e->pane.scale, header = HEADER_HEIGHT * s;
-    size_t count = warning_count(v, kg_net_state_picture(v->state));
-    if (v->gesture != KG_NET_IDLE) /* the pages stay in place under the pointer */
-        count = v->listed;
-    v->listed = count;
-    size_t rows = count < MOST_ROWS ? count : MOST_ROWS;
+    if (v->gesture == KG_NET_IDLE) /* else the pages stay in place under the pointer */
+        v->listed = each_warning(app, measure_warning);
+    size_t rows = v->listed < MOST_ROWS ? v->listed : MOST_ROWS;
     double below = rows > 0 ? ((double)rows * ROW_HEIGHT + 22) * s : 0;
     kg_area pages = {area.x, area.y + header, area.width, fmax(area.height - header - below, 1)};
     if (kg_net_view_follow(v, e, pages, s))

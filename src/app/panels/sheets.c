@@ -54,10 +54,10 @@ static void row(kg_editor *e, size_t sheet) {
     kg_ui_tooltip(label);
     kg_ui_disabled_begin(fixed);
     kg_ui_table_next();
-    if ((pressed = button("raise", KG_ICON_DOWN, _("Raise sheet"))))
+    if ((pressed = button("raise", KG_ICON_UP, _("Raise sheet"))))
         command = "sheet.raise";
     kg_ui_table_next();
-    if ((pressed = button("lower", KG_ICON_UP, _("Lower sheet"))))
+    if ((pressed = button("lower", KG_ICON_DOWN, _("Lower sheet"))))
         command = "sheet.lower";
     kg_ui_table_next();
     if ((pressed = button("duplicate", KG_ICON_COPY, _("Duplicate sheet"))))
@@ -161,8 +161,9 @@ void kg_panel_sheets(kg_app *app) {
     size_t count = kg_sheets_count(kg_sheets_of(e));
     const char *fixed = kg_sheets_why_fixed(e);
     if (count > 0 && kg_ui_table_begin("sheets", 7, widths)) {
-        for (size_t i = 0; i < kg_sheets_count(kg_sheets_of(e)); i++)
-            row(e, i);
+        for (size_t i = count; i-- > 0;) /* the topmost first */
+            if (i < kg_sheets_count(kg_sheets_of(e)))
+                row(e, i);
         kg_ui_table_end();
     }
     place(e);

@@ -55,7 +55,8 @@ typedef struct kg_fold_edge {
 typedef struct kg_fold_tool {
     kg_fold_way way;
     kg_fold_phase phase;
-    double angle_deg; /* of folds to come; positive: towards the eye */
+    double angle_deg; /* of the next fold; positive: towards the eye */
+    bool keeps_angle; /* of the folds after it too, which else are flat */
     int32_t layers;   /* wanted; KG_ALL_LAYERS */
     char typed[12];   /* digits of the angle */
 
@@ -76,7 +77,7 @@ typedef struct kg_fold_tool {
     kg_fold_preview preview;
     bool refused;
     char reason[KG_ERROR_SIZE]; /* why, translated */
-    kg_fold_gap *gaps; /* found when first asked for; NULL: not yet */
+    kg_fold_gap *gaps;          /* found when first asked for; NULL: not yet */
     size_t gap_count;
     int32_t between[2]; /* faces chosen to end between; -1, -1: outside */
 

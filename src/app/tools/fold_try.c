@@ -314,7 +314,10 @@ kg_status kg_fold_done(kg_editor *e, kg_error *error) {
     kg_fold_drop(e);
     kg_status status = kg_fold_add(e, &fold, error);
     kg_editor_update(e);
-    if (!status)
-        kg_sheets_play_made(e);
+    if (status)
+        return status;
+    kg_sheets_play_made(e);
+    if ((t = kg_fold_tool_of(e)) && !t->keeps_angle)
+        t->angle_deg = copysign(180, t->angle_deg);
     return status;
 }

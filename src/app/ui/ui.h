@@ -137,6 +137,9 @@ bool kg_ui_check(const char *label, bool *value);
 bool kg_ui_radio(const char *label, bool on);
 bool kg_ui_choice(const char *label, const char *const *items, int count, int *index);
 bool kg_ui_selectable(const char *label, bool selected);
+/* The same in as many lines as it takes, and how many these are in a width. */
+bool kg_ui_selectable_lines(const char *label, bool selected);
+size_t kg_ui_line_count(const char *text, double width);
 /* The same as high as wanted, to draw into; buttons may lie on it. */
 bool kg_ui_row(const char *label, bool selected, double height, kg_area *out_area);
 void kg_ui_progress(double fraction, const char *text);

@@ -174,6 +174,20 @@ bool kg_ui_selectable(const char *label, bool selected) {
     return shown(label,
                  ImGui::Selectable(see(label), selected, ImGuiSelectableFlags_DontClosePopups));
 }
+bool kg_ui_selectable_lines(const char *label, bool selected) {
+    char lines[2048];
+    ImGui::AlignTextToFramePadding();
+    kg_ui_wrap(see(label), ImGui::GetContentRegionAvail().x, width_between, lines, sizeof lines);
+    return shown(label, ImGui::Selectable(lines, selected, ImGuiSelectableFlags_DontClosePopups));
+}
+size_t kg_ui_line_count(const char *text, double width) {
+    char lines[2048];
+    size_t count = 1;
+    kg_ui_wrap(see(text), px(width), width_between, lines, sizeof lines);
+    for (const char *c = lines; *c != '\0'; c++)
+        count += *c == '\n';
+    return count;
+}
 bool kg_ui_row(const char *label, bool selected, double height, kg_area *out_area) {
     bool pressed = ImGui::Selectable(see(label), selected,
                                      ImGuiSelectableFlags_DontClosePopups |
