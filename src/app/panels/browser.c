@@ -199,10 +199,7 @@ static bool show_entries(kg_dialogs *d) {
 void kg_panel_browser(kg_app *app) {
     kg_dialogs *d = &app->dialogs;
     const kind *k = kind_of(d->purpose);
-    if (d->open_browser)
-        kg_ui_popup_open(_(k->title));
-    d->open_browser = false;
-    if (!kg_ui_modal_begin(_(k->title), 560))
+    if (!kg_panel_modal(&d->open_browser, _(k->title), 560))
         return;
     char path[KG_PATH_SIZE];
     if (kg_ui_icon_button("parent folder", KG_ICON_UP, false, 0))

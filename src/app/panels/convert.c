@@ -297,10 +297,8 @@ void kg_panel_convert(kg_app *app) {
     if (!c)
         return;
     collect(c);
-    if (d->open_conversion)
-        kg_ui_popup_open(_("Card from a mesh"));
-    d->open_conversion = false;
-    if (!kg_ui_modal_begin(_("Card from a mesh"), LEFT_WIDTH + PICTURE_WIDTH + 40))
+    if (!kg_panel_modal(&d->open_conversion, _("Card from a mesh"),
+                        LEFT_WIDTH + PICTURE_WIDTH + 40))
         return;
     const char *slash = strrchr(c->path, '/');
     kg_ui_text(slash ? slash + 1 : c->path);

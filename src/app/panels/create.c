@@ -137,10 +137,7 @@ static void card_fields(kg_new_card *c) {
 static void show_card(kg_app *app) {
     static const double widths[] = {LEFT_WIDTH, 0};
     kg_new_card *c = &app->dialogs.creation.card;
-    if (app->dialogs.open_new_card)
-        kg_ui_popup_open(_("New pop-up card"));
-    app->dialogs.open_new_card = false;
-    if (!kg_ui_modal_begin(_("New pop-up card"), 540))
+    if (!kg_panel_modal(&app->dialogs.open_new_card, _("New pop-up card"), 540))
         return;
     if (kg_ui_table_begin("new card", 2, widths)) {
         kg_ui_table_row();
@@ -186,10 +183,7 @@ static void show_sheet(kg_app *app) {
     static const double widths[] = {LEFT_WIDTH, 0};
     kg_new_sheet *s = &app->dialogs.creation.sheet;
     char front[8], back[8];
-    if (app->dialogs.open_new_sheets)
-        kg_ui_popup_open(_("New folding"));
-    app->dialogs.open_new_sheets = false;
-    if (!kg_ui_modal_begin(_("New folding"), 540))
+    if (!kg_panel_modal(&app->dialogs.open_new_sheets, _("New folding"), 540))
         return;
     if (kg_ui_table_begin("new sheet", 2, widths)) {
         kg_ui_table_row();

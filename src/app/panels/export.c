@@ -103,10 +103,7 @@ static void show_choice(kg_app *app) {
     static const double widths[] = {70, 0};
     kg_editor *e = &app->editor;
     kg_export_choice *c = &e->settings.export;
-    if (app->dialogs.open_export)
-        kg_ui_popup_open(_("Export"));
-    app->dialogs.open_export = false;
-    if (!kg_ui_modal_begin(_("Export"), 560))
+    if (!kg_panel_modal(&app->dialogs.open_export, _("Export"), 560))
         return;
     const format *chosen = find_format(e, c->format);
     if (!chosen)
@@ -195,10 +192,7 @@ static void show_progress(kg_app *app) {
     kg_export_job *job = app->export_job;
     char path[KG_PATH_SIZE];
     kg_error error;
-    if (app->dialogs.open_progress)
-        kg_ui_popup_open(_("Exporting"));
-    app->dialogs.open_progress = false;
-    bool open = kg_ui_modal_begin(_("Exporting"), 420);
+    bool open = kg_panel_modal(&app->dialogs.open_progress, _("Exporting"), 420);
     bool done = job && kg_export_job_is_done(job);
     if (open && job) {
         kg_ui_text_wrapped(kg_export_job_path(job));

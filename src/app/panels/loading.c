@@ -180,10 +180,7 @@ static void show(kg_app *app) {
     const char *const steps[] = {_("Reading"), _("Working out the patches"),
                                  _("Reading the reference")};
     kg_load_job *job = app->load_job;
-    if (app->dialogs.open_loading)
-        kg_ui_popup_open(_("Loading"));
-    app->dialogs.open_loading = false;
-    if (!kg_ui_modal_begin(_("Loading"), 420))
+    if (!kg_panel_modal(&app->dialogs.open_loading, _("Loading"), 420))
         return;
     if (job) {
         if (kg_load_job_path(job))

@@ -5,6 +5,13 @@
 /* Layout units. */
 enum { SIDE_WIDTH = 300, TOOLBAR_WIDTH = 42, STATUS_HEIGHT = 28 };
 
+bool kg_panel_modal(bool *open, const char *title, double width) {
+    if (*open)
+        kg_ui_popup_open(title);
+    *open = false;
+    return kg_ui_modal_begin(title, width);
+}
+
 void kg_panels_show(kg_app *app) {
     double s = app->scale * app->editor.settings.scale, menu = kg_panel_menu(app);
     double width = app->width, height = app->height, bottom = STATUS_HEIGHT * s;

@@ -7,6 +7,10 @@
 /* All of them; sets the area that is left for the 3D view. */
 void kg_panels_show(kg_app *app);
 
+/* A dialog, opened in this frame when `open` says so, which is unset; kg_ui_popup_end ends it when
+ * true. */
+bool kg_panel_modal(bool *open, const char *title, double width);
+
 double kg_panel_menu(kg_app *app); /* height in pixels */
 void kg_panel_toolbar(kg_app *app, kg_area area);
 /* A command as a button of the tool bar. */

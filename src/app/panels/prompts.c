@@ -121,10 +121,7 @@ void kg_dialogs_use_file(kg_app *app, kg_purpose purpose, const char *path) {
 /* ---- prompts ----------------------------------------------------------------------------- */
 
 static void show_error(kg_app *app) {
-    if (app->dialogs.open_error)
-        kg_ui_popup_open(_("That did not work"));
-    app->dialogs.open_error = false;
-    if (!kg_ui_modal_begin(_("That did not work"), 460))
+    if (!kg_panel_modal(&app->dialogs.open_error, _("That did not work"), 460))
         return;
     kg_ui_text_wrapped(app->dialogs.error);
     kg_ui_space();
@@ -135,10 +132,7 @@ static void show_error(kg_app *app) {
 
 static void show_unsaved(kg_app *app) {
     kg_dialogs *d = &app->dialogs;
-    if (d->open_unsaved)
-        kg_ui_popup_open(_("Unsaved changes"));
-    d->open_unsaved = false;
-    if (!kg_ui_modal_begin(_("Unsaved changes"), 420))
+    if (!kg_panel_modal(&d->open_unsaved, _("Unsaved changes"), 420))
         return;
     bool save = false, discard = false, cancel = false;
     kg_ui_text_wrapped(_("The model was changed since it was saved. What is to become of the "
@@ -165,10 +159,7 @@ static void show_unsaved(kg_app *app) {
 /* A mesh was opened as if it were a model. */
 static void show_mesh(kg_app *app) {
     char path[KG_PATH_SIZE];
-    if (app->dialogs.open_mesh)
-        kg_ui_popup_open(_("Open a mesh"));
-    app->dialogs.open_mesh = false;
-    if (!kg_ui_modal_begin(_("Open a mesh"), 460))
+    if (!kg_panel_modal(&app->dialogs.open_mesh, _("Open a mesh"), 460))
         return;
     kg_ui_text_wrapped(_("A mesh is no model. It can be what a new patch model is sculpted over, "
                          "or become a pop-up card."));
@@ -191,10 +182,7 @@ static void show_mesh(kg_app *app) {
 static void show_overwrite(kg_app *app) {
     kg_dialogs *d = &app->dialogs;
     char text[KG_PATH_SIZE + 64];
-    if (d->open_overwrite)
-        kg_ui_popup_open(_("Replace file"));
-    d->open_overwrite = false;
-    if (!kg_ui_modal_begin(_("Replace file"), 420))
+    if (!kg_panel_modal(&d->open_overwrite, _("Replace file"), 420))
         return;
     snprintf(text, sizeof text, _("%s exists. Replace it?"), d->path);
     kg_ui_text_wrapped(text);
@@ -217,13 +205,12 @@ static void show_rename(kg_app *app) {
     kg_editor *e = &app->editor;
     int64_t id = kg_editor_first_selected(e);
     const kg_model_patch *p = id ? kg_model_find(kg_editor_model(e), id) : NULL;
-    if (d->open_rename && p) {
+    d->open_rename = d->open_rename && p;
+    if (d->open_rename) {
         snprintf(d->name, sizeof d->name, "%s", p->name);
         d->focus = true;
-        kg_ui_popup_open(_("Rename"));
     }
-    d->open_rename = false;
-    if (!kg_ui_modal_begin(_("Rename"), 360))
+    if (!kg_panel_modal(&d->open_rename, _("Rename"), 360))
         return;
     kg_ui_width(-1);
     kg_ui_text_field("##name", d->name, sizeof d->name, _("Name"), d->focus);
@@ -243,10 +230,7 @@ static void show_rename(kg_app *app) {
 
 static void show_recovery(kg_app *app) {
     kg_dialogs *d = &app->dialogs;
-    if (d->open_recovery)
-        kg_ui_popup_open(_("Recover work"));
-    d->open_recovery = false;
-    if (!kg_ui_modal_begin(_("Recover work"), 420))
+    if (!kg_panel_modal(&d->open_recovery, _("Recover work"), 420))
         return;
     kg_ui_text_wrapped(_("katagami ended without saving. The work of that time was kept and can "
                          "be opened again."));

@@ -27,10 +27,7 @@ void kg_panel_settings(kg_app *app) {
     kg_settings *s = &app->editor.settings;
     char title[64]; /* known by what is behind ###: it stays open in another language */
     snprintf(title, sizeof title, "%s###preferences", _("Preferences"));
-    if (app->dialogs.open_settings)
-        kg_ui_popup_open(title);
-    app->dialogs.open_settings = false;
-    if (!kg_ui_modal_begin(title, 420))
+    if (!kg_panel_modal(&app->dialogs.open_settings, title, 420))
         return;
     const char *const themes[] = {_("dark"), _("light")};
     const char *const navigations[] = {_("katagami"), _("as in Blender")};

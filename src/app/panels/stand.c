@@ -56,11 +56,8 @@ void kg_panel_stand(kg_app *app) {
     const char *title = _("Making the card stand");
     if (app->stand_job && kg_stand_job_is_done(app->stand_job))
         finish(app);
-    if (app->dialogs.open_stand)
-        kg_ui_popup_open(title);
-    app->dialogs.open_stand = false;
     app->busy = app->busy || app->stand_job;
-    if (!kg_ui_modal_begin(title, 420))
+    if (!kg_panel_modal(&app->dialogs.open_stand, title, 420))
         return;
     if (app->stand_job) {
         kg_ui_progress(kg_stand_job_fraction(app->stand_job), "");
