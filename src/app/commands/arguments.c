@@ -165,3 +165,17 @@ kg_status kg_argument_patch(const kg_editor *e, const json_t *arguments, kg_mode
     free(ids);
     return KG_OK;
 }
+
+kg_status kg_argument_each(kg_editor *e, const json_t *arguments, const char *label,
+                           kg_patch_act act, const void *user, kg_error *error) {
+    int64_t *ids;
+    size_t count;
+    kg_status status = kg_argument_patches(e, arguments, &ids, &count, error);
+    if (status)
+        return status;
+    status = kg_editor_begin(e, label, error);
+    for (size_t i = 0; i < count && !status; i++)
+        status = act(e, ids[i], user, error);
+    free(ids);
+    return kg_editor_finish(e, status);
+}

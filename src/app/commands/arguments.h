@@ -37,4 +37,11 @@ kg_status kg_argument_patches(const kg_editor *editor, const json_t *arguments, 
 kg_status kg_argument_patch(const kg_editor *editor, const json_t *arguments,
                             kg_model_patch **out_patch, kg_error *error) KG_CHECKED;
 
+/* Does something to each patch a command is about, as one step of the history: undone when one
+ * fails. */
+typedef kg_status (*kg_patch_act)(kg_editor *editor, int64_t patch, const void *user,
+                                  kg_error *error);
+kg_status kg_argument_each(kg_editor *editor, const json_t *arguments, const char *label,
+                           kg_patch_act act, const void *user, kg_error *error) KG_CHECKED;
+
 #endif

@@ -6,31 +6,24 @@
 #include "model/refit.h"
 #include "patch/mend.h"
 
-#include <stdlib.h>
+typedef struct mending {
+    kg_status (*act)(kg_editor *, kg_model_patch *, kg_error *);
+} mending;
 
-static kg_status for_each(kg_editor *e, const json_t *a, const char *label,
-                          kg_status (*act)(kg_editor *, kg_model_patch *, kg_error *),
-                          kg_error *error) {
-    int64_t *ids;
-    size_t count;
-    kg_status status = kg_argument_patches(e, a, &ids, &count, error);
-    if (status)
-        return status;
-    status = kg_editor_begin(e, label, error);
-    for (size_t i = 0; i < count && !status; i++) {
-        kg_editor_update(e);
-        status = act(e, kg_model_find(kg_editor_model(e), ids[i]), error);
-        kg_editor_touch(e);
-    }
-    free(ids);
-    return kg_editor_finish(e, status);
+/* Each patch is mended with the others as they are by then. */
+static kg_status mend_one(kg_editor *e, int64_t id, const void *user, kg_error *error) {
+    const mending *m = user;
+    kg_editor_update(e);
+    kg_status status = m->act(e, kg_model_find(kg_editor_model(e), id), error);
+    kg_editor_touch(e);
+    return status;
 }
 
 static kg_status refit_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
     return kg_model_refit(kg_editor_model(e), kg_editor_solution(e), p->id, error);
 }
 static kg_status refit(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Refit"), refit_one, error);
+    return kg_argument_each(e, a, N_("Refit"), mend_one, &(mending){refit_one}, error);
 }
 
 /* Puts "patch N" before a message of the kernel. */
@@ -44,7 +37,8 @@ static kg_status planarize_one(kg_editor *e, kg_model_patch *p, kg_error *error)
     return of_patch(p->id, kg_patch_flatten(&p->input, &p->input, &why), &why, error);
 }
 static kg_status planarize(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Flatten geodesic"), planarize_one, error);
+    return kg_argument_each(e, a, N_("Flatten geodesic"), mend_one, &(mending){planarize_one},
+                            error);
 }
 
 static kg_status equalize_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
@@ -53,7 +47,8 @@ static kg_status equalize_one(kg_editor *e, kg_model_patch *p, kg_error *error) 
     return of_patch(p->id, kg_patch_equalize(&p->input, &p->input, &why), &why, error);
 }
 static kg_status equalize(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Equalise end angles"), equalize_one, error);
+    return kg_argument_each(e, a, N_("Equalise end angles"), mend_one, &(mending){equalize_one},
+                            error);
 }
 
 static kg_status split_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
@@ -62,7 +57,7 @@ static kg_status split_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
     return of_patch(id, kg_mend_split(e, id, &why), &why, error);
 }
 static kg_status split(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Split with a plane"), split_one, error);
+    return kg_argument_each(e, a, N_("Split with a plane"), mend_one, &(mending){split_one}, error);
 }
 
 /* The extent in force becomes the wished one. */
@@ -74,7 +69,7 @@ static kg_status narrow_one(kg_editor *e, kg_model_patch *p, kg_error *error) {
     return KG_OK;
 }
 static kg_status narrow(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Narrow extent"), narrow_one, error);
+    return kg_argument_each(e, a, N_("Narrow extent"), mend_one, &(mending){narrow_one}, error);
 }
 
 /* ---- what they would do ------------------------------------------------------------------ */

@@ -5,21 +5,14 @@
 #include "app/tools/tools.h"
 #include "model/edit.h"
 
-#include <stdlib.h>
+static kg_status map_one(kg_editor *e, int64_t id, const void *map, kg_error *error) {
+    kg_editor_touch(e);
+    return kg_model_transform_patch(kg_editor_model(e), id, map, error);
+}
 
 static kg_status map_all(kg_editor *e, const json_t *a, const char *label, const kg_similarity *map,
                          kg_error *error) {
-    int64_t *ids;
-    size_t count;
-    kg_status status = kg_argument_patches(e, a, &ids, &count, error);
-    if (status)
-        return status;
-    status = kg_editor_begin(e, label, error);
-    for (size_t i = 0; i < count && !status; i++)
-        status = kg_model_transform_patch(kg_editor_model(e), ids[i], map, error);
-    free(ids);
-    kg_editor_touch(e);
-    return kg_editor_finish(e, status);
+    return kg_argument_each(e, a, label, map_one, map, error);
 }
 
 static kg_status move(kg_editor *e, const json_t *a, kg_error *error) {

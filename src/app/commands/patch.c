@@ -10,22 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Does something to each patch the command is about, as one step. */
-static kg_status for_each(kg_editor *e, const json_t *a, const char *label,
-                          kg_status (*act)(kg_editor *, int64_t, const json_t *, kg_error *),
-                          kg_error *error) {
-    int64_t *ids;
-    size_t count;
-    kg_status status = kg_argument_patches(e, a, &ids, &count, error);
-    if (status)
-        return status;
-    status = kg_editor_begin(e, label, error);
-    for (size_t i = 0; i < count && !status; i++)
-        status = act(e, ids[i], a, error);
-    free(ids);
-    return kg_editor_finish(e, status);
-}
-
 /* ---- adding ----------------------------------------------------------------------------- */
 
 static kg_status read_input(const json_t *a, kg_patch_input *input, kg_error *error) {
@@ -70,14 +54,14 @@ static kg_status add(kg_editor *e, const json_t *a, kg_error *error) {
     return status;
 }
 
-static kg_status remove_one(kg_editor *e, int64_t id, const json_t *a, kg_error *error) {
+static kg_status remove_one(kg_editor *e, int64_t id, const void *a, kg_error *error) {
     (void)a;
     kg_editor_touch(e);
     kg_status status = kg_pin_forget_patch(kg_editor_model(e), id, error);
     return status ? status : kg_model_remove_patch(kg_editor_model(e), id, error);
 }
 static kg_status remove_patches(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Delete"), remove_one, error);
+    return kg_argument_each(e, a, N_("Delete"), remove_one, a, error);
 }
 
 /* Copies replace what they are copies of in the selection. */
@@ -147,12 +131,12 @@ static kg_status set_flag(const json_t *a, bool *flag, kg_error *error) {
 }
 
 #define FLAG(verb, label, field)                                                                   \
-    static kg_status verb##_one(kg_editor *e, int64_t id, const json_t *a, kg_error *error) {      \
+    static kg_status verb##_one(kg_editor *e, int64_t id, const void *a, kg_error *error) {        \
         kg_editor_touch(e);                                                                        \
         return set_flag(a, &kg_model_find(kg_editor_model(e), id)->field, error);                  \
     }                                                                                              \
     static kg_status verb(kg_editor *e, const json_t *a, kg_error *error) {                        \
-        return for_each(e, a, label, verb##_one, error);                                           \
+        return kg_argument_each(e, a, label, verb##_one, a, error);                                \
     }
 FLAG(flip, N_("Flip"), input.flip)
 FLAG(hide, N_("Hide"), hidden)
@@ -194,7 +178,7 @@ static kg_status isolate(kg_editor *e, const json_t *a, kg_error *error) {
     return kg_editor_finish(e, status);
 }
 
-static kg_status rename_one(kg_editor *e, int64_t id, const json_t *a, kg_error *error) {
+static kg_status rename_one(kg_editor *e, int64_t id, const void *a, kg_error *error) {
     const char *name = "";
     kg_status status = kg_argument_text(a, "name", &name, error);
     char *copy = status ? NULL : strdup(name);
@@ -212,10 +196,10 @@ static kg_status rename_patch(kg_editor *e, const json_t *a, kg_error *error) {
         e->request = KG_REQUEST_RENAME;
         return KG_OK;
     }
-    return for_each(e, a, N_("Rename"), rename_one, error);
+    return kg_argument_each(e, a, N_("Rename"), rename_one, a, error);
 }
 
-static kg_status color_one(kg_editor *e, int64_t id, const json_t *a, kg_error *error) {
+static kg_status color_one(kg_editor *e, int64_t id, const void *a, kg_error *error) {
     const char *text = NULL;
     kg_color color;
     kg_status status = kg_argument_text(a, "color", &text, error);
@@ -225,11 +209,11 @@ static kg_status color_one(kg_editor *e, int64_t id, const json_t *a, kg_error *
                   : kg_model_set_patch_color(kg_model_find(kg_editor_model(e), id), text, error);
 }
 static kg_status set_color(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Colour"), color_one, error);
+    return kg_argument_each(e, a, N_("Colour"), color_one, a, error);
 }
 
 /* Points, extent, ruling and flip, those that are given. */
-static kg_status set_one(kg_editor *e, int64_t id, const json_t *a, kg_error *error) {
+static kg_status set_one(kg_editor *e, int64_t id, const void *a, kg_error *error) {
     kg_model_patch *p = kg_model_find(kg_editor_model(e), id);
     kg_patch_input input = p->input;
     kg_patch patch;
@@ -254,7 +238,7 @@ static kg_status set_one(kg_editor *e, int64_t id, const json_t *a, kg_error *er
     return status;
 }
 static kg_status set_patch(kg_editor *e, const json_t *a, kg_error *error) {
-    return for_each(e, a, N_("Change patch"), set_one, error);
+    return kg_argument_each(e, a, N_("Change patch"), set_one, a, error);
 }
 
 static bool has_hidden(const kg_editor *e) {
