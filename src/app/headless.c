@@ -2,48 +2,33 @@
 
 #include "app/app.h"
 #include "app/script.h"
+#include "render/target.h"
 
-#include <epoxy/gl.h>
 #include <stdlib.h>
 
 typedef struct canvas {
     kg_app *app;
-    GLuint framebuffer, color, depth;
+    kg_target target; /* of this size; 0 × 0: none yet */
     int width, height;
 } canvas;
 
-static GLuint attach(GLenum attachment, GLenum format, int width, int height) {
-    GLuint buffer;
-    glGenRenderbuffers(1, &buffer);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, format, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer);
-    return buffer;
-}
-
 static void release(canvas *c) {
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glDeleteFramebuffers(1, &c->framebuffer);
-    glDeleteRenderbuffers(1, &c->color);
-    glDeleteRenderbuffers(1, &c->depth);
-    c->framebuffer = c->color = c->depth = 0;
+    if (c->width > 0)
+        kg_target_destroy(&c->target);
+    c->width = c->height = 0;
 }
 
 /* A framebuffer of the app's present size. */
 static kg_status fit(canvas *c, kg_error *error) {
-    if (c->framebuffer && c->width == c->app->width && c->height == c->app->height)
+    if (c->width == c->app->width && c->height == c->app->height)
         return KG_OK;
     release(c);
-    c->width = c->app->width;
-    c->height = c->app->height;
-    glGenFramebuffers(1, &c->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, c->framebuffer);
-    c->color = attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, c->width, c->height);
-    c->depth = attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, c->width, c->height);
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        return kg_fail(error, KG_ERR_SYSTEM, "OpenGL cannot make a picture of %d x %d pixels",
-                       c->width, c->height);
-    return KG_OK;
+    kg_status status = kg_target_create(c->app->width, c->app->height, GL_RGBA8, &c->target, error);
+    if (!status) {
+        c->width = c->app->width;
+        c->height = c->app->height;
+    }
+    return status;
 }
 
 static kg_status shoot(void *user, const char *path, kg_error *error) {
@@ -51,7 +36,7 @@ static kg_status shoot(void *user, const char *path, kg_error *error) {
     kg_status status = fit(c, error);
     if (status)
         return status;
-    glBindFramebuffer(GL_FRAMEBUFFER, c->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, c->target.framebuffer);
     if ((status = kg_app_draw(c->app, error)))
         return status;
     size_t row = 4 * (size_t)c->width, size = row * (size_t)c->height;

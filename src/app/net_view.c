@@ -1,6 +1,7 @@
 #include "app/net_view.h"
 
 #include "app/tools/seam.h"
+#include "document/pin.h"
 #include "katagami/unroll.h"
 
 #include <stdlib.h>
@@ -39,22 +40,13 @@ void kg_net_view_clear(kg_net_view *v) {
     *v = (kg_net_view){0};
 }
 
-/* A part again after the net was made anew. */
-static int find_again(const kg_net *net, int64_t source, size_t piece) {
-    for (size_t i = 0; i < net->part_count; i++)
-        if (net->parts[i].source == source && piece-- == 0)
-            return (int)i;
-    return -1;
-}
-
 bool kg_net_view_follow(kg_net_view *v, const kg_editor *e, kg_area area, double scale) {
     const kg_net_picture *p = picture_of(v);
     int64_t source = 0;
     size_t piece = 0;
     if (p && v->active_part >= 0) {
         source = p->net.net->parts[v->active_part].source;
-        for (int i = 0; i < v->active_part; i++)
-            piece += p->net.net->parts[i].source == source;
+        piece = kg_pin_piece(p->net.net, (size_t)v->active_part);
     }
     bool is_new = kg_net_state_follow(v->state, e);
     bool area_changed = memcmp(&v->area, &area, sizeof area) != 0;
@@ -65,7 +57,7 @@ bool kg_net_view_follow(kg_net_view *v, const kg_editor *e, kg_area area, double
         v->revision = kg_net_state_revision(v->state);
         p = picture_of(v);
         if (p && source)
-            v->active_part = find_again(p->net.net, source, piece);
+            v->active_part = kg_pin_part(p->net.net, source, piece);
     }
     p = picture_of(v);
     bool other = area_changed || (p && (v->fitted_pages != p->layout->page_count ||

@@ -111,99 +111,97 @@ static kg_status read_place(script *s, const char **words, kg_vec2 *out, kg_erro
     return KG_OK;
 }
 
+/* What the mouse does: at which places, with which button and keys. */
+typedef struct pointing {
+    kg_vec2 at, to;
+    int button, times;
+    unsigned mods;
+} pointing;
+
 /* Words like "shift", "ctrl", "alt", "right", "middle", "double" at the end of a line. */
-static kg_status read_manner(const char *words, int *button, unsigned *mods, int *times,
-                             kg_error *error) {
+static kg_status read_manner(const char *words, pointing *p, kg_error *error) {
     char word[32];
     while (next_word(&words, word, sizeof word)) {
         if (strcmp(word, "shift") == 0)
-            *mods |= KG_MOD_SHIFT;
+            p->mods |= KG_MOD_SHIFT;
         else if (strcmp(word, "ctrl") == 0)
-            *mods |= KG_MOD_CTRL;
+            p->mods |= KG_MOD_CTRL;
         else if (strcmp(word, "alt") == 0)
-            *mods |= KG_MOD_ALT;
+            p->mods |= KG_MOD_ALT;
         else if (strcmp(word, "right") == 0)
-            *button = KG_MOUSE_RIGHT;
+            p->button = KG_MOUSE_RIGHT;
         else if (strcmp(word, "middle") == 0)
-            *button = KG_MOUSE_MIDDLE;
+            p->button = KG_MOUSE_MIDDLE;
         else if (strcmp(word, "double") == 0)
-            *times = 2;
+            p->times = 2;
         else
             return kg_fail(error, KG_ERR_INPUT, "\"%s\" says nothing about a click", word);
     }
     return KG_OK;
 }
 
+/* One place, or two, and the manner. */
+static kg_status read_pointing(script *s, const char *words, int places, pointing *out,
+                               kg_error *error) {
+    *out = (pointing){.button = KG_MOUSE_LEFT, .times = 1};
+    kg_status status = read_place(s, &words, &out->at, error);
+    if (!status && places > 1)
+        status = read_place(s, &words, &out->to, error);
+    return status ? status : read_manner(words, out, error);
+}
+
 /* ---- verbs ------------------------------------------------------------------------------ */
 
 static kg_status do_move(script *s, const char *words, kg_error *error) {
-    kg_vec2 to;
-    int button = 0, times = 1;
-    unsigned mods = 0;
-    kg_status status = read_place(s, &words, &to, error);
+    pointing p;
+    kg_status status = read_pointing(s, words, 1, &p, error);
     if (!status)
-        status = read_manner(words, &button, &mods, &times, error);
-    if (!status)
-        move_to(s, to, mods);
+        move_to(s, p.at, p.mods);
     return status;
 }
 
 static kg_status do_click(script *s, const char *words, kg_error *error) {
-    kg_vec2 at;
-    int button = KG_MOUSE_LEFT, times = 1;
-    unsigned mods = 0;
-    kg_status status = read_place(s, &words, &at, error);
-    if (!status)
-        status = read_manner(words, &button, &mods, &times, error);
+    pointing p;
+    kg_status status = read_pointing(s, words, 1, &p, error);
     if (status)
         return status;
-    move_to(s, at, mods);
-    for (int i = 0; i < times; i++)
-        click(s, button, mods);
+    move_to(s, p.at, p.mods);
+    for (int i = 0; i < p.times; i++)
+        click(s, p.button, p.mods);
     return KG_OK;
 }
 
 static kg_status do_drag(script *s, const char *words, kg_error *error) {
-    kg_vec2 from, to;
-    int button = KG_MOUSE_LEFT, times = 1;
-    unsigned mods = 0;
-    kg_status status = read_place(s, &words, &from, error);
-    if (!status)
-        status = read_place(s, &words, &to, error);
-    if (!status)
-        status = read_manner(words, &button, &mods, &times, error);
+    pointing p;
+    kg_status status = read_pointing(s, words, 2, &p, error);
     if (status)
         return status;
-    move_to(s, from, mods);
-    send(s, (kg_event){.type = KG_EVENT_PRESS, .button = button, .mods = mods});
+    move_to(s, p.at, p.mods);
+    send(s, (kg_event){.type = KG_EVENT_PRESS, .button = p.button, .mods = p.mods});
     for (int i = 1; i <= DRAG_MOVES; i++)
-        move_to(s, kg_lerp2(from, to, (double)i / DRAG_MOVES), mods);
-    send(s, (kg_event){.type = KG_EVENT_RELEASE, .button = button, .mods = mods});
+        move_to(s, kg_lerp2(p.at, p.to, (double)i / DRAG_MOVES), p.mods);
+    send(s, (kg_event){.type = KG_EVENT_RELEASE, .button = p.button, .mods = p.mods});
     return KG_OK;
 }
 
 /* Presses at a place and holds, or lets go at another: what goes on meanwhile can be looked at. */
-static kg_status press_or_release(script *s, const char *words, bool press, kg_error *error) {
-    kg_vec2 at;
-    int button = KG_MOUSE_LEFT, times = 1;
-    unsigned mods = 0;
-    kg_status status = read_place(s, &words, &at, error);
-    if (!status)
-        status = read_manner(words, &button, &mods, &times, error);
+static kg_status press_or_release(script *s, const char *words, kg_event_type type,
+                                  kg_error *error) {
+    pointing p;
+    kg_status status = read_pointing(s, words, 1, &p, error);
     if (status)
         return status;
-    move_to(s, at, mods);
-    send(s, (kg_event){
-                .type = press ? KG_EVENT_PRESS : KG_EVENT_RELEASE, .button = button, .mods = mods});
+    move_to(s, p.at, p.mods);
+    send(s, (kg_event){.type = type, .button = p.button, .mods = p.mods});
     return KG_OK;
 }
 
 static kg_status do_press(script *s, const char *words, kg_error *error) {
-    return press_or_release(s, words, true, error);
+    return press_or_release(s, words, KG_EVENT_PRESS, error);
 }
 
 static kg_status do_release(script *s, const char *words, kg_error *error) {
-    return press_or_release(s, words, false, error);
+    return press_or_release(s, words, KG_EVENT_RELEASE, error);
 }
 
 static kg_status do_key(script *s, const char *words, kg_error *error) {

@@ -4,6 +4,8 @@
 #include "base/signals.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/paper.h"
+#include "document/document.h"
 #include "katagami/guide.h"
 #include "net/clash.h"
 #include "net/settings.h"
@@ -152,17 +154,8 @@ static kg_status add_clash(kg_document_net *net, size_t i, unsigned clash, kg_er
     snprintf(message, sizeof message, "part %d%s%s is pinned %s; move it, or unpin it",
              part->number, part->name[0] ? " " : "", part->name,
              overlap ? "on another part" : "where it leaves the page's margins");
-    char *copy = strdup(message);
-    kg_net_warning *more =
-        copy ? realloc(net->remarks, (net->remark_count + 1) * sizeof *more) : NULL;
-    if (!more) {
-        free(copy);
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    }
-    more[net->remark_count++] =
-        (kg_net_warning){part->source, overlap ? "part-overlap" : "part-off-page", copy};
-    net->remarks = more;
-    return KG_OK;
+    return kg_document_net_remark(net, part->source, overlap ? "part-overlap" : "part-off-page",
+                                  message, error);
 }
 
 /* Only the user's own pins put parts where they clash. */

@@ -2,6 +2,7 @@
 
 #include "base/array.h"
 #include "base/phrase.h"
+#include "document/document.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -87,20 +88,12 @@ kg_status kg_card_solve(kg_card *card, kg_error *error) {
 
 /* ---- net -------------------------------------------------------------------------------- */
 
-static kg_status add_remark(kg_document_net *net, const kg_issue *issue, kg_error *error) {
-    char *message = strdup(issue->message);
-    if (!message)
-        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
-    net->remarks[net->remark_count++] = (kg_net_warning){0, issue->code, message};
-    return KG_OK;
-}
-
 kg_status kg_card_net(const kg_card *card, kg_document_net *out_net, kg_error *error) {
-    kg_document_net net = {.remarks = calloc(card->issues.count + 1, sizeof *net.remarks)};
-    kg_status status = net.remarks ? kg_oa_net(card->oa, card->sheet, &net.net, error)
-                                   : kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    kg_document_net net = {0};
+    kg_status status = kg_oa_net(card->oa, card->sheet, &net.net, error);
     for (size_t i = 0; i < card->issues.count && !status; i++)
-        status = add_remark(&net, &card->issues.items[i], error);
+        status = kg_document_net_remark(&net, 0, card->issues.items[i].code,
+                                        card->issues.items[i].message, error);
     if (status)
         kg_document_net_clear(&net);
     else

@@ -19,4 +19,8 @@ struct kg_document {
  * runs out. free() it. */
 char *kg_document_reference_path(const kg_document *document);
 
+/* Adds a copy of a message; `code` is kept as it is. KG_ERR_MEMORY. */
+kg_status kg_document_net_remark(kg_document_net *net, int64_t source, const char *code,
+                                 const char *message, kg_error *error) KG_CHECKED;
+
 #endif

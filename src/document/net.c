@@ -65,16 +65,17 @@ double kg_document_net_chord(const kg_net_options *options) {
     return fmin(KG_NET_CHORD, 0.2 * options->tolerance / options->scale);
 }
 
-static kg_status add_remark(kg_document_net *net, int64_t source, const char *code,
-                            const char *message) {
-    kg_net_warning *more = realloc(net->remarks, (net->remark_count + 1) * sizeof *more);
-    if (!more)
-        return KG_ERR_MEMORY;
-    net->remarks = more;
+kg_status kg_document_net_remark(kg_document_net *net, int64_t source, const char *code,
+                                 const char *message, kg_error *error) {
     char *copy = strdup(message);
-    if (!copy)
-        return KG_ERR_MEMORY;
+    kg_net_warning *more =
+        copy ? realloc(net->remarks, (net->remark_count + 1) * sizeof *more) : NULL;
+    if (!more) {
+        free(copy);
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+    }
     more[net->remark_count++] = (kg_net_warning){source, code, copy};
+    net->remarks = more;
     return KG_OK;
 }
 
@@ -92,8 +93,8 @@ static kg_status add_tabs(kg_document_net *net, const kg_unrolled *unrolled, dou
         const kg_tab_remark *r = &report.remarks[i];
         char message[KG_ERROR_SIZE / 2];
         kg_tab_remark_print(unrolled->net, r, message, sizeof message);
-        status = add_remark(net, unrolled->net->joins[r->join].sources[r->side], codes[r->trouble],
-                            message);
+        status = kg_document_net_remark(net, unrolled->net->joins[r->join].sources[r->side],
+                                        codes[r->trouble], message, error);
     }
     kg_tab_report_clear(&report);
     return status;
@@ -119,7 +120,7 @@ static kg_status merge_parts(kg_document_net *net, const kg_model *model, kg_unr
         N_("both of its sides belong to one part already")};
     bool *wanted = merge_wishes(model, unrolled);
     if (!wanted)
-        return KG_ERR_MEMORY;
+        return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     kg_merge_options merging = {options->merge, wanted, options->room, unrolled->bends};
     kg_merge_report report = {0};
     kg_status status = kg_net_merge(unrolled->net, &merging, &report, error);
@@ -128,7 +129,7 @@ static kg_status merge_parts(kg_document_net *net, const kg_model *model, kg_unr
         char message[KG_ERROR_SIZE / 2];
         kg_phrase_print(message, sizeof message, "seam %d with patch %lld cannot be a fold: %s",
                         r->number, (long long)r->sources[1], kg_phrase(reasons[r->refusal]));
-        status = add_remark(net, r->sources[0], "not-merged", message);
+        status = kg_document_net_remark(net, r->sources[0], "not-merged", message, error);
     }
     free(report.remarks);
     free(wanted);
@@ -148,7 +149,7 @@ static bool is_met(const kg_unrolled *unrolled, size_t wish) {
 /* Names wishes for single joins that are for none: patches that were drawn apart, or are gone. They
  * stay in the model. */
 static kg_status name_idle_wishes(kg_document_net *net, const kg_model *model,
-                                  const kg_unrolled *unrolled) {
+                                  const kg_unrolled *unrolled, kg_error *error) {
     for (size_t i = 0; i < model->join_count; i++) {
         const kg_model_join *j = &model->joins[i];
         char message[KG_ERROR_SIZE / 2];
@@ -157,7 +158,7 @@ static kg_status name_idle_wishes(kg_document_net *net, const kg_model *model,
         kg_phrase_print(message, sizeof message,
                         "no join with patch %lld is left for the wish at %g mm, %g",
                         (long long)j->patches[1], j->at.x, j->at.y);
-        kg_status status = add_remark(net, j->patches[0], "join-wish", message);
+        kg_status status = kg_document_net_remark(net, j->patches[0], "join-wish", message, error);
         if (status)
             return status;
     }
@@ -193,10 +194,10 @@ kg_status kg_document_unroll_to_fit(const kg_document *d, const kg_parts_options
     inner.room = room;
     for (size_t i = 0; i < kg_document_issue_count(d) && !status; i++) {
         const kg_issue *issue = kg_document_issue(d, i);
-        status = add_remark(&net, issue->patch, issue->code, issue->message);
+        status = kg_document_net_remark(&net, issue->patch, issue->code, issue->message, error);
     }
     if (!status)
-        status = name_idle_wishes(&net, d->model, unrolled);
+        status = name_idle_wishes(&net, d->model, unrolled, error);
     if (!status)
         status = merge_parts(&net, d->model, unrolled, &inner, error);
     if (!status && options->tab_width > 0) {
@@ -208,7 +209,7 @@ kg_status kg_document_unroll_to_fit(const kg_document *d, const kg_parts_options
     kg_unrolled_destroy(unrolled);
     if (status) {
         kg_document_net_clear(&net);
-        return status == KG_ERR_MEMORY ? kg_fail(error, status, "out of memory") : status;
+        return status;
     }
     kg_pin_parts(d->model, net.net);
     *out_net = net;

@@ -37,22 +37,21 @@ size_t kg_pin_piece(const kg_net *net, size_t part) {
     return piece;
 }
 
-static kg_net_part *find_part(kg_net *net, int64_t patch, size_t piece) {
+int kg_pin_part(const kg_net *net, int64_t patch, size_t piece) {
     for (size_t i = 0; i < net->part_count; i++)
         if (net->parts[i].source == patch && piece-- == 0)
-            return &net->parts[i];
-    return NULL;
+            return (int)i;
+    return -1;
 }
 
 void kg_pin_parts(const kg_model *model, kg_net *net) {
     const json_t *list = json_object_get(model->net.json, "placements");
     for (size_t i = 0; i < json_array_size(list); i++) {
         pin p;
-        kg_net_part *part =
-            read_pin(json_array_get(list, i), &p) ? find_part(net, p.patch, p.piece) : NULL;
-        if (part && (size_t)p.place.page <= net->part_count) {
-            part->pinned = true;
-            part->pin = p.place;
+        int part = read_pin(json_array_get(list, i), &p) ? kg_pin_part(net, p.patch, p.piece) : -1;
+        if (part >= 0 && (size_t)p.place.page <= net->part_count) {
+            net->parts[part].pinned = true;
+            net->parts[part].pin = p.place;
         }
     }
 }

@@ -15,6 +15,9 @@
 /* Which of its patch's parts a part is, from 0. */
 size_t kg_pin_piece(const kg_net *net, size_t part);
 
+/* The part of a patch with that number; -1: it has not so many. */
+int kg_pin_part(const kg_net *net, int64_t patch, size_t piece);
+
 /* Pins the net's parts as the model says, each at most one page beyond what could be needed. */
 void kg_pin_parts(const kg_model *model, kg_net *net);
 

@@ -1,9 +1,9 @@
 #include "model/border.h"
 
+#include "trim/chain.h"
+
 static double distance(kg_vec2 at, kg_vec2 a, kg_vec2 b) {
-    kg_vec2 d = kg_sub2(b, a);
-    double n = kg_dot2(d, d), f = n > 0 ? kg_dot2(kg_sub2(at, a), d) / n : 0;
-    return kg_dist2(at, kg_lerp2(a, b, fmin(fmax(f, 0), 1)));
+    return kg_dist2(at, kg_lerp2(a, b, kg_nearest_fraction(at, a, b)));
 }
 
 bool kg_edge_near(const kg_patch *patch, const kg_region_loop *loop, const kg_region_edge *edge,

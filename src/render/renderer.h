@@ -43,13 +43,4 @@ void kg_renderer_draw_clipped(kg_renderer *renderer, const kg_scene *scene, cons
 /* The directions of x, y and z in the lower left corner, over what is there. */
 void kg_frame_axes(const kg_renderer *renderer, const kg_frame *frame);
 
-/* A framebuffer of its own with depth, bound until it is destroyed. */
-typedef struct kg_target {
-    GLuint framebuffer, color, depth;
-    GLint previous;
-} kg_target;
-kg_status kg_target_create(int width, int height, GLenum format, kg_target *out_target,
-                           kg_error *error) KG_CHECKED;
-void kg_target_destroy(kg_target *target);
-
 #endif

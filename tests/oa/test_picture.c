@@ -3,7 +3,7 @@
 #include "katagami/oa.h"
 #include "katagami/render.h"
 #include "render/camera.h"
-#include "render/renderer.h"
+#include "render/target.h"
 
 #include "check.h"
 

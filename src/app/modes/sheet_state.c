@@ -3,6 +3,7 @@
 #include "app/modes/sheet_thumbs.h"
 #include "app/text.h"
 #include "base/array.h"
+#include "origami/state.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -19,10 +20,6 @@
 kg_sheets *kg_sheets_of(const kg_editor *e) {
     assert(kg_editor_is(e, KG_DOCUMENT_ORIGAMI));
     return e->mode_state;
-}
-
-static int32_t next_half(const kg_origami_state *s, int32_t half) {
-    return s->halves.items[half].next;
 }
 
 static kg_vec2 paper_at(const kg_origami_state *s, int32_t half) {
@@ -48,44 +45,12 @@ static double *front_heights(const kg_origami_state *s) {
     return heights;
 }
 
-static bool loop_holds(const kg_origami_state *s, int32_t loop, kg_vec2 p) {
-    int32_t first = s->loops.items[loop].first, h = first;
-    do {
-        int32_t next = next_half(s, h);
-        if (kg_cross2(kg_sub2(paper_at(s, next), paper_at(s, h)), kg_sub2(p, paper_at(s, h))) < 0)
-            return false;
-        h = next;
-    } while (h != first);
-    return true;
-}
-
-/* The loop of `before` that a loop of `after` is a part of. A loop that is cut stays the first of
- * its parts. */
-static int32_t whole_of(const kg_origami_state *before, const kg_origami_state *after,
-                        int32_t loop) {
-    if ((size_t)loop < before->loops.count)
-        return loop;
-    int32_t first = after->loops.items[loop].first, h = first, sheet;
-    kg_vec2 sum = kg_v2(0, 0);
-    double count = 0;
-    do {
-        sum = kg_add2(sum, paper_at(after, h));
-        count++;
-    } while ((h = next_half(after, h)) != first);
-    sheet = after->loops.items[loop].sheet;
-    for (int32_t i = 0; (size_t)i < before->loops.count; i++)
-        if (before->loops.items[i].sheet == sheet &&
-            loop_holds(before, i, kg_scale2(sum, 1 / count)))
-            return i;
-    return 0;
-}
-
 /* The height of a loop at a point of its outline. */
 static double height_at(const kg_origami_state *s, const double *heights, int32_t loop, kg_vec2 p) {
     int32_t first = s->loops.items[loop].first, h = first;
     double best = INFINITY, height = 0;
     do {
-        int32_t next = next_half(s, h);
+        int32_t next = kg_next(s, h);
         double t, distance = kg_segment_distance(p, paper_at(s, h), paper_at(s, next), &t);
         if (distance < best) {
             best = distance;
@@ -101,10 +66,11 @@ static double *heights_before(const kg_origami_state *before, const double *own,
                               const kg_origami_state *after) {
     double *heights = calloc(after->halves.count + 1, sizeof *heights);
     for (int32_t i = 0; heights && (size_t)i < after->loops.count; i++) {
-        int32_t whole = whole_of(before, after, i), first = after->loops.items[i].first, h = first;
+        int32_t whole = kg_loop_in(before, after, i), first = after->loops.items[i].first,
+                h = first;
         do {
             heights[h] = height_at(before, own, whole, paper_at(after, h));
-        } while ((h = next_half(after, h)) != first);
+        } while ((h = kg_next(after, h)) != first);
     }
     return heights;
 }
@@ -126,7 +92,7 @@ static kg_vec3 loop_normal(const kg_origami_state *s, const kg_vec3 *positions, 
     int32_t first = s->loops.items[loop].first, h = first;
     kg_vec3 o = positions[s->halves.items[first].origin], sum = kg_v3(0, 0, 0);
     do {
-        int32_t next = next_half(s, h);
+        int32_t next = kg_next(s, h);
         sum = kg_add(sum, kg_cross(kg_sub(positions[s->halves.items[h].origin], o),
                                    kg_sub(positions[s->halves.items[next].origin], o)));
         h = next;
