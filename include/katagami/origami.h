@@ -283,7 +283,11 @@ typedef struct kg_layer_report {
     size_t components;  /* sets of free ones that do not depend on each other, each with a choice */
     double states;      /* ways to order all layers */
     bool exact;         /* false: at least so many */
+    double mm_per_unit; /* what a file that names no unit was scaled by; 0: nothing of the kind */
 } kg_layer_report;
+
+/* The longer side of new sheets, and of crease patterns without a unit, mm. */
+#define KG_SHEET_SIZE 150.0
 
 /* 1e6 states of each component, 1e8 steps, which are a few seconds. */
 KG_API kg_layer_report kg_layer_report_default(void);
@@ -291,11 +295,12 @@ KG_API kg_layer_report kg_layer_report_default(void);
 /* Reads a crease pattern: FOLD 1.2 (.fold: its first frame with flat vertices) or .cp (lines
  * `type x1 y1 x2 y2`: 1 border, 2 mountain, 3 valley, 4 flat), folds it as its angles say and finds
  * the order of its layers, unless the file holds it. The first state is the folded one; folds may
- * follow. Errors: KG_ERR_PARSE naming file and line; KG_ERR_INPUT when it cannot be folded flat:
- * the vertex that breaks Kawasaki's or Maekawa's condition, or that no order of layers is possible,
- * which is proved; KG_ERR_CANCELLED when most_steps did not suffice, or when `progress`, which is
- * told while layers are looked for, said so: the report is then as it was. `progress` and `report`
- * may be NULL. */
+ * follow. Coordinates become mm by the frame_unit of a FOLD file; where that names none, its
+ * pattern is made KG_SHEET_SIZE long. Errors: KG_ERR_PARSE naming file and line; KG_ERR_INPUT when
+ * it cannot be folded flat: the vertex that breaks Kawasaki's or Maekawa's condition, or that no
+ * order of layers is possible, which is proved; KG_ERR_CANCELLED when most_steps did not suffice,
+ * or when `progress`, which is told while layers are looked for, said so: the report is then as it
+ * was. `progress` and `report` may be NULL. */
 KG_API kg_status kg_origami_import(const char *path, const kg_progress *progress,
                                    kg_origami **out_origami, kg_layer_report *report,
                                    kg_error *error) KG_CHECKED;

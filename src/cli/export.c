@@ -2,6 +2,7 @@
 #include "cli/card.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/paper.h"
 #include "katagami/document.h"
 #include "katagami/render.h"
 
@@ -37,6 +38,7 @@ int kg_command_export(int argc, char **argv) {
     if (!status) {
         kg_document_set_open(document, open_deg * KG_PI / 180);
         kg_card_warn(document, "export");
+        kg_paper_warn(document, "export");
         status = kg_document_export(document, path, kg_palette_linear, &error);
     }
     kg_document_destroy(document);

@@ -126,6 +126,8 @@ int kg_command_info(int argc, char **argv) {
     if (!status)
         status = kg_document_solve(document, KG_NET_CHORD, &error);
     if (!status)
+        kg_paper_warn(document, "info");
+    if (!status)
         status = kg_arguments_get(&a, "json") ? print_json(document, &error)
                                               : print_text(document, &error);
     kg_document_destroy(document);

@@ -267,6 +267,7 @@ int kg_command_net(int argc, char **argv) {
     double tab_width;
     if (kg_document_read(a.words[0], &document, &error))
         return kg_command_fail("net", &error);
+    kg_paper_warn(document, "net");
     code = read_options(&a, document, &settings, &tab_width);
     if (code < 0) {
         kg_parts_options parts = parts_options(&a, document, &settings, tab_width);

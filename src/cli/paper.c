@@ -34,6 +34,15 @@ static bool find_layers(kg_document *d, kg_layer_report *out) {
            kg_origami_count_orders(kg_document_origami(d), NULL, out, NULL) == KG_OK;
 }
 
+void kg_paper_warn(const kg_document *d, const char *command) {
+    const kg_layer_report *r = kg_document_layers(d);
+    if (r && r->mm_per_unit > 0)
+        fprintf(stderr,
+                "katagami %s: warning: %s: it names no unit (frame_unit), so that it was "
+                "made %g mm long: 1 became %.6g mm\n",
+                command, kg_document_path(d), KG_SHEET_SIZE, r->mm_per_unit);
+}
+
 void kg_paper_print(kg_document *d) {
     figures f = measure(d);
     kg_layer_report r;

@@ -59,7 +59,7 @@ static kg_status read_line(const char *line, const char *name, int number, kg_pa
 
 kg_status kg_cp_read(const char *data, size_t size, const char *name, kg_pattern *out_pattern,
                      kg_error *error) {
-    kg_pattern p = {0};
+    kg_pattern p = {.unit = {1, -1}};
     kg_status status = KG_OK;
     int number = 0;
     char line[256];

@@ -7,9 +7,10 @@
 #include "origami/pattern.h"
 
 /* The folded state a FOLD object describes: its layers are solved for when it does not hold them.
- */
-kg_status kg_fold_read(kg_reader *place, const json_t *root, const kg_progress *progress,
-                       kg_layer_report *report, kg_origami_state **out_state);
+ * `in_mm`: whatever unit it names. */
+kg_status kg_fold_read(kg_reader *place, const json_t *root, bool in_mm,
+                       const kg_progress *progress, kg_layer_report *report,
+                       kg_origami_state **out_state);
 /* A state as FOLD object; `states` before it (count may be 0) as further frames. */
 json_t *kg_fold_json(const kg_origami_state *state, kg_origami_state *const *states, size_t count,
                      const char *title);

@@ -216,7 +216,7 @@ static kg_status read_model(kg_reader *p, kg_origami *o) {
     if (!status && pattern) {
         kg_layer_report report = kg_layer_report_default();
         kg_read_enter(p, "pattern", 0);
-        status = kg_fold_read(p, pattern, NULL, &report, &s);
+        status = kg_fold_read(p, pattern, true, NULL, &report, &s);
         o->pattern = true;
         kg_read_leave(p);
     } else if (!status) {
@@ -245,6 +245,19 @@ kg_status kg_origami_read_memory(const char *data, size_t size, const char *name
 
 /* ---- crease patterns -------------------------------------------------------------------- */
 
+/* "vertices_coords[12]: ", since many such files are one line. */
+static void say_path(const void *owner, char *out, size_t size) {
+    const kg_reader *p = owner;
+    size_t n = 0;
+    for (size_t i = 0; i < p->depth && n < size; i++) {
+        const kg_json_step *step = &p->path[i];
+        n += (size_t)(step->key ? snprintf(out + n, size - n, "%s%s", i > 0 ? "." : "", step->key)
+                                : snprintf(out + n, size - n, "[%zu]", step->index));
+    }
+    if (n > 0 && n < size)
+        snprintf(out + n, size - n, ": ");
+}
+
 static kg_status import_state(const char *data, size_t size, const char *name,
                               const kg_progress *progress, kg_layer_report *report,
                               kg_origami_state **out_state, char **title, kg_error *error) {
@@ -259,7 +272,9 @@ static kg_status import_state(const char *data, size_t size, const char *name,
         kg_reader p;
         if ((status = kg_read_begin(&p, data, size, name, error)))
             return status;
-        status = kg_fold_read(&p, p.root, progress, report, out_state);
+        p.place = say_path;
+        p.owner = &p;
+        status = kg_fold_read(&p, p.root, false, progress, report, out_state);
         const char *given = json_string_value(json_object_get(p.root, "file_title"));
         char *copy = !status && given ? strdup(given) : NULL;
         if (copy) {

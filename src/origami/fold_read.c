@@ -157,11 +157,44 @@ static kg_status read_pattern(kg_reader *p, const frame *f, size_t base, kg_patt
     return status;
 }
 
+/* ---- the unit --------------------------------------------------------------------------- */
+
+/* mm; 0: the frame names none, or one without a length. */
+static double unit_of(const frame *f) {
+    static const struct {
+        const char *name;
+        double mm;
+    } units[] = {{"mm", 1},         {"cm", 10},   {"m", 1000}, {"in", 25.4},
+                 {"pt", 25.4 / 72}, {"um", 1e-3}, {"nm", 1e-6}};
+    const char *name = json_string_value(find(f, "frame_unit"));
+    for (size_t i = 0; name && i < sizeof units / sizeof *units; i++)
+        if (strcmp(units[i].name, name) == 0)
+            return units[i].mm;
+    return 0;
+}
+
+static kg_status scale_pattern(kg_reader *p, const frame *f, kg_pattern *pattern,
+                               kg_layer_report *report, double *out_scale) {
+    double unit = unit_of(f), length = kg_pattern_length(pattern);
+    double scale = unit > 0 ? unit : length > 0 ? KG_SHEET_SIZE / length : 1;
+    for (size_t i = 0; i < pattern->vertices.count; i++) {
+        kg_vec2 *v = &pattern->vertices.items[i];
+        *v = kg_scale2(*v, scale);
+        if (!(fabs(v->x) <= KG_MAX_COORDINATE && fabs(v->y) <= KG_MAX_COORDINATE))
+            return kg_read_fail(p, "vertex %zu is more than %g mm away", i, KG_MAX_COORDINATE);
+    }
+    if (unit == 0)
+        report->mm_per_unit = scale;
+    pattern->unit = kg_v2(scale, scale);
+    *out_scale = scale;
+    return KG_OK;
+}
+
 /* ---- the folded form -------------------------------------------------------------------- */
 
 /* Takes the positions of the folded form; faces must be congruent to the pattern's. */
 static kg_status take_positions(kg_reader *p, const json_t *list, const kg_pattern *pattern,
-                                kg_origami_state *s) {
+                                double scale, kg_origami_state *s) {
     size_t count = pattern->vertices.count;
     if (json_array_size(list) != count)
         return kg_read_fail(p, "the folded form has %zu vertices, the crease pattern %zu",
@@ -174,7 +207,7 @@ static kg_status take_positions(kg_reader *p, const json_t *list, const kg_patte
         kg_read_leave(p);
         if (status)
             return status;
-        s->vertices.items[i].position = kg_v3(x[0], x[1], x[2]);
+        s->vertices.items[i].position = kg_scale(kg_v3(x[0], x[1], x[2]), scale);
     }
     for (size_t i = 0; i < pattern->divided.count; i++)
         s->vertices.items[count + i].position =
@@ -223,12 +256,15 @@ static kg_status take_orders(kg_reader *p, const json_t *list, const kg_pattern 
 
 /* ---- all -------------------------------------------------------------------------------- */
 
-static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded,
+static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded, bool in_mm,
                             kg_pattern *pattern, const kg_progress *progress,
                             kg_layer_report *report, kg_origami_state **out_state) {
     size_t base = p->depth;
+    double scale = 1;
     kg_status status = read_pattern(p, flat, base, pattern);
     p->depth = base;
+    if (!status && !in_mm)
+        status = scale_pattern(p, flat, pattern, report, &scale);
     if (!status && pattern->faces.starts.count == 0 && !folded)
         status = kg_pattern_clean(pattern, p->error);
     if (!status && !folded)
@@ -239,7 +275,7 @@ static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded
         status = kg_pattern_state(pattern, &s, p->error);
     if (!status) {
         enter_key(p, folded, "vertices_coords", base);
-        status = take_positions(p, find(folded, "vertices_coords"), pattern, s);
+        status = take_positions(p, find(folded, "vertices_coords"), pattern, scale, s);
     }
     if (!status) {
         enter_key(p, folded, "faceOrders", base);
@@ -255,7 +291,7 @@ static kg_status read_state(kg_reader *p, const frame *flat, const frame *folded
     return status;
 }
 
-kg_status kg_fold_read(kg_reader *p, const json_t *root, const kg_progress *progress,
+kg_status kg_fold_read(kg_reader *p, const json_t *root, bool in_mm, const kg_progress *progress,
                        kg_layer_report *report, kg_origami_state **out_state) {
     size_t frames = 1 + json_array_size(json_object_get(root, "file_frames")), base = p->depth;
     frame flat = {0}, folded = {0};
@@ -272,8 +308,8 @@ kg_status kg_fold_read(kg_reader *p, const json_t *root, const kg_progress *prog
         return kg_read_fail(p, "there is no crease pattern in it: a frame with flat "
                                "vertices_coords that is no foldedForm");
     kg_pattern pattern = {0};
-    kg_status status =
-        read_state(p, &flat, folded.own ? &folded : NULL, &pattern, progress, report, out_state);
+    kg_status status = read_state(p, &flat, folded.own ? &folded : NULL, in_mm, &pattern, progress,
+                                  report, out_state);
     p->depth = base;
     kg_pattern_clear(&pattern);
     return status;
@@ -285,7 +321,7 @@ kg_status kg_pattern_solve(kg_pattern *pattern, const kg_progress *progress,
     kg_status status = kg_pattern_state(pattern, &s, error);
     if (status)
         return status;
-    status = kg_pattern_fold(s, error);
+    status = kg_pattern_fold(pattern, s, error);
     if (!status)
         status = kg_state_solve(s, progress, report, error);
     if (status) {

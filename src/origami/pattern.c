@@ -9,6 +9,12 @@
 /* Relative to the size: ends of segments this near are one vertex. */
 #define SAME_POINT 1e-6
 
+kg_vec2 kg_pattern_in_file(const kg_pattern *p, kg_vec2 place) {
+    bool same = p->unit.x == 0;
+    return kg_v2(same ? place.x : place.x / p->unit.x,
+                 same ? place.y : place.y / p->unit.y + 0); /* no -0 */
+}
+
 void kg_pattern_clear(kg_pattern *p) {
     free(p->vertices.items);
     free(p->edges.items);
@@ -17,7 +23,7 @@ void kg_pattern_clear(kg_pattern *p) {
     *p = (kg_pattern){0};
 }
 
-static double size_of(const kg_pattern *p) {
+double kg_pattern_length(const kg_pattern *p) {
     kg_box2 box = kg_box2_empty();
     for (size_t i = 0; i < p->vertices.count; i++)
         kg_box2_add(&box, p->vertices.items[i]);
@@ -71,7 +77,7 @@ static int compare_edges(const void *a, const void *b) {
 
 kg_status kg_pattern_clean(kg_pattern *p, kg_error *error) {
     size_t old_vertices = p->vertices.count, count = p->edges.count;
-    double size = size_of(p), same = SAME_POINT * size;
+    double size = kg_pattern_length(p), same = SAME_POINT * size;
     kg_pattern_edge *old = malloc((count + 1) * sizeof *old);
     double *cuts = malloc((3 * count + 2) * sizeof *cuts);
     kg_status status = old && cuts ? KG_OK : KG_ERR_MEMORY;
@@ -206,7 +212,7 @@ kg_status kg_pattern_trace(kg_pattern *p, kg_error *error) {
             walk(p, next, (int32_t)h, faces, count, corners, &areas[count]);
             count++;
         }
-    double least = SAME_POINT * size_of(p) * SAME_POINT * size_of(p);
+    double least = SAME_POINT * kg_pattern_length(p) * SAME_POINT * kg_pattern_length(p);
     for (int32_t f = 0; f < count && !status; f++) {
         if (!(areas[f] > least) || is_hole(p, next, faces, areas, starts[f]))
             continue;
@@ -386,7 +392,8 @@ static kg_status check_ends(const kg_pattern *p, kg_error *error) {
         if (face < 0 || e->assignment == 'B' || e->assignment == 'C' ||
             face_beside(sides, count, e->ends[1], e->ends[0]) != face)
             continue;
-        kg_vec2 from = p->vertices.items[e->ends[0]], to = p->vertices.items[e->ends[1]];
+        kg_vec2 from = kg_pattern_in_file(p, p->vertices.items[e->ends[0]]),
+                to = kg_pattern_in_file(p, p->vertices.items[e->ends[1]]);
         status = kg_fail(error, KG_ERR_INPUT,
                          "the line from (%g, %g) to (%g, %g) ends inside a face: creases go on "
                          "to other lines or to the border",
@@ -417,8 +424,9 @@ kg_status kg_pattern_state(kg_pattern *p, kg_origami_state **out_state, kg_error
         status = kg_state_add_faces(s, 0, &p->faces, error);
     for (size_t e = 0; e < s->edges.count && !status; e++) {
         int32_t a = kg_loop_of(s, (int32_t)(2 * e)), b = kg_loop_of(s, (int32_t)(2 * e + 1));
-        kg_vec3 from = s->vertices.items[s->halves.items[2 * e].origin].position,
-                to = s->vertices.items[s->halves.items[2 * e + 1].origin].position;
+        const kg_paper_vertex *v = s->vertices.items;
+        kg_vec2 from = kg_pattern_in_file(p, v[s->halves.items[2 * e].origin].paper),
+                to = kg_pattern_in_file(p, v[s->halves.items[2 * e + 1].origin].paper);
         if (a < 0 && b < 0)
             status = kg_fail(error, KG_ERR_INPUT,
                              "the line from (%g, %g) to (%g, %g) lies outside the paper: the "

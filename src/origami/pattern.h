@@ -23,6 +23,7 @@ typedef struct kg_pattern {
         kg_pattern_edge *items;
         size_t count, capacity;
     } edges;
+    kg_vec2 unit;       /* what 1 along x and y of the file is here; 0: the same */
     kg_face_list faces; /* counter-clockwise; empty: to be traced */
     struct {
         int32_t *items; /* vertices that were divided at cuts, one for every piece more */
@@ -31,6 +32,12 @@ typedef struct kg_pattern {
 } kg_pattern;
 
 void kg_pattern_clear(kg_pattern *pattern);
+
+/* The longer side of the box around it. */
+double kg_pattern_length(const kg_pattern *pattern);
+
+/* A place in the coordinates of the file, for messages. */
+kg_vec2 kg_pattern_in_file(const kg_pattern *pattern, kg_vec2 place);
 
 /* Joins ends that are nearer than a ten-thousandth of the size, cuts segments where they meet. */
 kg_status kg_pattern_clean(kg_pattern *pattern, kg_error *error);
@@ -48,7 +55,7 @@ kg_status kg_pattern_state(kg_pattern *pattern, kg_origami_state **out_state, kg
 /* Turns a state whose vertices lie flat as its angles say, from the first loop of every sheet
  * outward, and finds groups. KG_ERR_INPUT naming the vertex around which paper does not close:
  * with Kawasaki's or Maekawa's condition when all its creases are folded flat. */
-kg_status kg_pattern_fold(kg_origami_state *state, kg_error *error);
+kg_status kg_pattern_fold(const kg_pattern *pattern, kg_origami_state *state, kg_error *error);
 
 /* Accepts positions that were given: KG_ERR_INPUT for faces that are not congruent to the paper.
  * Finds groups. */

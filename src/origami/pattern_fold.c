@@ -43,9 +43,10 @@ static frame frame_across(const kg_origami_state *s, const frame *f, int32_t hal
 /* ---- around one vertex ------------------------------------------------------------------ */
 
 /* KG_ERR_INPUT when the creases around an inner vertex, all flat ones, cannot be folded flat. */
-static kg_status check_vertex(const kg_origami_state *s, int32_t start, kg_error *error) {
+static kg_status check_vertex(const kg_pattern *p, const kg_origami_state *s, int32_t start,
+                              kg_error *error) {
     int32_t v = s->halves.items[start].origin;
-    kg_vec2 o = s->vertices.items[v].paper;
+    kg_vec2 o = s->vertices.items[v].paper, told = kg_pattern_in_file(p, o);
     double sums[2] = {0, 0}, last = 0, first = 0, total = 0;
     int folds = 0, mountains = 0, valleys = 0, open = 0;
     for (int32_t h = start;;) { /* clockwise */
@@ -79,16 +80,16 @@ static kg_status check_vertex(const kg_origami_state *s, int32_t start, kg_error
         return kg_fail(error, KG_ERR_INPUT,
                        "vertex %d at (%g, %g) does not fold flat: alternate angles are %.4g and "
                        "%.4g degrees, not both 180 (Kawasaki)",
-                       v, o.x, o.y, sums[0] * 180 / KG_PI, sums[1] * 180 / KG_PI);
+                       v, told.x, told.y, sums[0] * 180 / KG_PI, sums[1] * 180 / KG_PI);
     if (open == 0 && abs(mountains - valleys) != 2)
         return kg_fail(error, KG_ERR_INPUT,
                        "vertex %d at (%g, %g) does not fold flat: %d mountain and %d valley folds, "
                        "not two more of one kind (Maekawa)",
-                       v, o.x, o.y, mountains, valleys);
+                       v, told.x, told.y, mountains, valleys);
     return KG_OK;
 }
 
-static kg_status check_vertices(const kg_origami_state *s, kg_error *error) {
+static kg_status check_vertices(const kg_pattern *p, const kg_origami_state *s, kg_error *error) {
     int32_t *out = malloc((s->vertices.count + 1) * sizeof *out);
     if (!out)
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
@@ -100,7 +101,7 @@ static kg_status check_vertices(const kg_origami_state *s, kg_error *error) {
             out[s->halves.items[h].origin] = (int32_t)h;
     for (size_t v = 0; v < s->vertices.count && !status; v++)
         if (out[v] >= 0)
-            status = check_vertex(s, out[v], error);
+            status = check_vertex(p, s, out[v], error);
     free(out);
     return status;
 }
@@ -202,8 +203,8 @@ kg_status kg_pattern_take(kg_origami_state *s, kg_error *error) {
     return find_groups(s);
 }
 
-kg_status kg_pattern_fold(kg_origami_state *s, kg_error *error) {
-    kg_status status = check_vertices(s, error);
+kg_status kg_pattern_fold(const kg_pattern *p, kg_origami_state *s, kg_error *error) {
+    kg_status status = check_vertices(p, s, error);
     if (status)
         return status;
     frame *frames = calloc(s->loops.count + 1, sizeof *frames);

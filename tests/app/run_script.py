@@ -16,7 +16,7 @@ import script as tests  # noqa: E402
 program, script = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 
 with tempfile.TemporaryDirectory() as folder:
-    for model in script.parent.glob("*.katagami"):
+    for model in [*script.parent.glob("*.katagami"), *script.parent.glob("*.fold")]:
         shutil.copy(model, folder)
     shutil.copytree(script.parents[2] / "data", f"{folder}/data")
     environment = tests.environment(folder, TMP=folder, HERE=folder, DATA=f"{folder}/data")

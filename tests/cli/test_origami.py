@@ -188,6 +188,20 @@ def test_the_guide_says_every_step_in_words():
     assert "Folded along all its creases." in words(DATA / "crane.fold")
 
 
+def test_patterns_without_a_unit_get_a_size_and_say_so():
+    pattern = {"vertices_coords": [[0, 0], [1, 0], [1, 1], [0, 1]],
+               "edges_vertices": [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]],
+               "edges_assignment": ["B", "B", "B", "B", "V"]}
+    (HERE / "unit.fold").write_text(json.dumps(pattern))
+    for words in (["info"], ["net", "-o", "unit.svg"], ["export", "-o", "unit.obj"]):
+        told = run(words[0], "unit.fold", *words[1:]).stderr
+        assert "unit.fold: it names no unit" in told and "1 became 150 mm" in told, told
+    assert "valley folds 212.1 mm" in run("info", "unit.fold").stdout
+    (HERE / "mm.fold").write_text(json.dumps({"frame_unit": "mm", **pattern}))
+    assert "unit" not in run("info", "mm.fold").stderr
+    assert "valley folds 1.4 mm" in run("info", "mm.fold").stdout
+
+
 def test_a_model_is_no_mesh_for_a_card():
     assert run("oa", DATA / "cup.katagami", "-o", "x.katagami", expect=1).stderr
     assert not (HERE / "x.katagami").exists()

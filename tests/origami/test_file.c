@@ -140,6 +140,108 @@ static void test_fold_files_come_back_equal(void **user) {
     assert_true(folds > 600);
 }
 
+/* A square of two halves, from (1, 1) on, folded along its middle. */
+#define HALVES(unit, size, assignment)                                                             \
+    "{" unit "\"vertices_coords\": [[1,1],[" size ",1],[" size "," size "],[1," size               \
+    "],[2,1],[2," size "]], \"edges_vertices\": [[0,4],[4,1],[1,2],[2,5],[5,3],[3,0],[4,5]], "     \
+    "\"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"B\",\"B\",\"" assignment "\"]}"
+
+static double span(const char *text, const char *name, double *out_scale) {
+    kg_origami *o;
+    kg_error error;
+    kg_layer_report report = kg_layer_report_default();
+    if (kg_origami_import_memory(text, strlen(text), name, NULL, &o, &report, &error))
+        fail_msg("%s", error.message);
+    double lo = HUGE_VAL, hi = -HUGE_VAL;
+    const kg_origami_state *s = last(o);
+    for (size_t i = 0; i < s->vertices.count; i++) {
+        lo = fmin(lo, s->vertices.items[i].paper.x);
+        hi = fmax(hi, s->vertices.items[i].paper.x);
+    }
+    kg_origami_destroy(o);
+    *out_scale = report.mm_per_unit;
+    return hi - lo;
+}
+
+static void test_patterns_without_a_unit_become_sheets_of_usable_size(void **user) {
+    (void)user;
+    static const struct {
+        const char *text;
+        double span, scale;
+    } cases[] = {
+        {HALVES("", "3", "V"), 150, 75},
+        {HALVES("\"frame_unit\": \"unit\", ", "3", "V"), 150, 75},
+        {HALVES("", "401", "F"), 150, 0.375},
+        {HALVES("\"frame_unit\": \"mm\", ", "3", "V"), 2, 0},
+        {HALVES("\"frame_unit\": \"cm\", ", "3", "V"), 20, 0},
+        {HALVES("\"frame_unit\": \"in\", ", "3", "V"), 50.8, 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double scale;
+        assert_near(span(cases[i].text, "x.fold", &scale), cases[i].span, 1e-12);
+        assert_near(scale, cases[i].scale, 1e-15);
+    }
+    double scale; /* numbers of .cp files are mm */
+    assert_near(span("1 0 0 2 0\n1 2 0 2 2\n1 2 2 0 2\n1 0 2 0 0\n", "x.cp", &scale), 2, 0);
+    assert_near(scale, 0, 0);
+}
+
+/* The folded form is scaled along with the pattern. */
+static void test_folded_forms_follow_the_size(void **user) {
+    (void)user;
+    kg_origami *o, *again;
+    char *text;
+    size_t size;
+    kg_error error;
+    o = square_sheet(50);
+    must_fold(o, fold_to(kg_v3(0, 0, 0), kg_v3(50, 50, 0), 120));
+    assert_int_equal(kg_origami_fold_text(o, 1, false, &text, &size, NULL), KG_OK);
+    char *unit = strstr(text, "\"mm\"");
+    assert_non_null(unit);
+    memcpy(unit, "\"??\"", 4);
+    if (kg_origami_import_memory(text, size, "x.fold", NULL, &again, NULL, &error))
+        fail_msg("%s", error.message);
+    const kg_origami_state *a = last(o), *b = last(again);
+    assert_int_equal(a->vertices.count, b->vertices.count);
+    for (size_t i = 0; i < a->vertices.count; i++)
+        assert_near(
+            kg_dist(kg_scale(a->vertices.items[i].position, 3), b->vertices.items[i].position), 0,
+            1e-10);
+    free(text);
+    kg_origami_destroy(o);
+    kg_origami_destroy(again);
+}
+
+static void assert_not_imported(const char *text, const char *name, const char *why) {
+    kg_origami *o = NULL;
+    kg_error error;
+    assert_int_not_equal(kg_origami_import_memory(text, strlen(text), name, NULL, &o, NULL, &error),
+                         KG_OK);
+    assert_null(o);
+    if (!strstr(error.message, why))
+        fail_msg("%s", error.message);
+}
+
+static void test_messages_speak_the_coordinates_of_the_file(void **user) {
+    (void)user;
+    /* three creases meet at (10, 20), which cannot fold flat */
+    static const char lines[] = "1 0 0 40 0\n1 40 0 40 40\n1 40 40 0 40\n1 0 40 0 0\n"
+                                "2 10 20 0 0\n2 10 20 40 0\n2 10 20 0 40\n";
+    assert_not_imported(lines, "x.cp", "at (10, 20)");
+    assert_not_imported("1 0 0 4 0\n1 4 0 4 4\n1 4 4 0 4\n1 0 4 0 0\n2 0 1 3 1\n", "x.cp",
+                        "(0, 1) to (3, 1)");
+    assert_not_imported(
+        "{\"vertices_coords\": [[0,0],[4,0],[4,4],[0,4],[1,2]], \"edges_vertices\": [[0,1],[1,2],"
+        "[2,3],[3,0],[4,0],[4,1],[4,3]], \"edges_assignment\": [\"B\",\"B\",\"B\",\"B\",\"M\","
+        "\"M\",\"M\"]}",
+        "x.fold", "at (1, 2)");
+    assert_not_imported("{\"vertices_coords\": [[0,0],[4,0],[4]], \"edges_vertices\": [[0,1]]}",
+                        "x.fold", "x.fold:1: vertices_coords[2]: ");
+    assert_not_imported("{\"vertices_coords\": [[0,0],[4,0],[4,4]], \"edges_vertices\": [[0,1],"
+                        "[1,7]]}",
+                        "x.fold", "x.fold:1: edges_vertices[1]");
+}
+
 static void test_net_of_a_state(void **user) {
     (void)user;
     kg_origami *o = square_sheet(100);
@@ -186,6 +288,9 @@ int main(void) {
         cmocka_unit_test(test_messages_name_the_line),
         cmocka_unit_test(test_concave_sheets_fold),
         cmocka_unit_test(test_fold_files_come_back_equal),
+        cmocka_unit_test(test_patterns_without_a_unit_become_sheets_of_usable_size),
+        cmocka_unit_test(test_folded_forms_follow_the_size),
+        cmocka_unit_test(test_messages_speak_the_coordinates_of_the_file),
         cmocka_unit_test(test_net_of_a_state),
         cmocka_unit_test(test_heights_keep_the_order),
     };

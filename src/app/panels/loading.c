@@ -53,6 +53,15 @@ static void cannot_show(kg_editor *e, const kg_error *error) {
     kg_editor_say(e, KG_WARNING, _("The reference cannot be shown: %s"), error->message);
 }
 
+/* A pattern that had no size of its own was given one. */
+static void say_size(kg_editor *e) {
+    const kg_layer_report *r = kg_document_layers(e->document);
+    if (r && r->mm_per_unit > 0)
+        kg_editor_say(e, KG_WARNING,
+                      _("The file names no unit: it was made %g mm long, 1 became %.6g mm."),
+                      KG_SHEET_SIZE, r->mm_per_unit);
+}
+
 static void say_skipped(kg_editor *e) {
     char text[KG_ERROR_SIZE];
     if (e->backdrop.mesh &&
@@ -90,6 +99,8 @@ static void finish(kg_app *app) {
         if (reference_error.message[0])
             cannot_show(e, &reference_error);
         say_skipped(e);
+        if (is_document)
+            say_size(e);
     }
     kg_backdrop_clear(&backdrop);
 }
