@@ -86,11 +86,11 @@ KG_API char *kg_document_relative(const char *model_path, const char *file);
 KG_API kg_document_kind kg_document_get_kind(const kg_document *document);
 KG_API const char *kg_document_title(const kg_document *document);
 /* The model of a patch document, else NULL. */
-KG_API kg_model *kg_document_model(kg_document *document);
+KG_API kg_model *kg_document_model(const kg_document *document);
 /* The card of a pop-up document, else NULL. */
-KG_API kg_oa *kg_document_oa(kg_document *document);
+KG_API kg_oa *kg_document_oa(const kg_document *document);
 /* The sheets of an origami document, else NULL. */
-KG_API kg_origami *kg_document_origami(kg_document *document);
+KG_API kg_origami *kg_document_origami(const kg_document *document);
 /* What is known of the layers of a crease pattern that was read; NULL for all others. */
 KG_API const kg_layer_report *kg_document_layers(const kg_document *document);
 

@@ -145,11 +145,11 @@ const char *kg_document_title(const kg_document *d) {
                        : d->model->title;
 }
 
-kg_model *kg_document_model(kg_document *d) {
+kg_model *kg_document_model(const kg_document *d) {
     return d->model;
 }
 
-kg_oa *kg_document_oa(kg_document *d) {
+kg_oa *kg_document_oa(const kg_document *d) {
     return d->card ? d->card->oa : NULL;
 }
 
@@ -170,7 +170,7 @@ void kg_document_set_open(kg_document *d, double angle) {
         d->card->open = angle;
 }
 
-kg_origami *kg_document_origami(kg_document *d) {
+kg_origami *kg_document_origami(const kg_document *d) {
     return d->folded ? d->folded->origami : NULL;
 }
 

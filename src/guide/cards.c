@@ -54,14 +54,13 @@ static kg_status add_group(scenery *s, const kg_mesh *mesh, const kg_mesh_group 
     return status;
 }
 
-static kg_status paint(kg_guide *g, kg_renderer *renderer, const kg_document *d, double open,
+static kg_status paint(kg_guide *g, kg_renderer *renderer, const kg_document *document, double open,
                        kg_vec2 at, kg_vec2 size, kg_error *error) {
-    kg_document *document = (kg_document *)(uintptr_t)d; /* for its card, which stays as it is */
     kg_mesh *mesh;
     kg_image image = {0};
     scenery s = {.count = 0};
-    kg_status status = kg_oa_pose(kg_document_oa(document), kg_document_sheet(d),
-                                  kg_document_stability(d), open, &mesh, error);
+    kg_status status = kg_oa_pose(kg_document_oa(document), kg_document_sheet(document),
+                                  kg_document_stability(document), open, &mesh, error);
     if (status)
         return status;
     for (size_t i = 0; i < mesh->group_count && 2 * i + 1 < MAX_ITEMS && !status; i++)
@@ -118,7 +117,7 @@ kg_status kg_guide_card(kg_guide *g, const kg_document *d, kg_error *error) {
     static const kg_word steps[] = {KG_WORD_CARD_CUT, KG_WORD_CARD_SCORE, KG_WORD_CARD_OPEN,
                                     KG_WORD_CARD_CLOSE};
     char text[KG_SENTENCE];
-    const kg_oa *oa = kg_document_oa((kg_document *)(uintptr_t)d); /* read only */
+    const kg_oa *oa = kg_document_oa(d);
     const kg_oa_sheet *sheet = kg_document_sheet(d);
     double cell = oa->cell_mm * g->layout->scale;
     kg_book_write(g->paper, &title_text,

@@ -126,8 +126,7 @@ kg_status kg_guide_write_memory(const kg_document *document, const kg_document_n
         status = write_assembly(&guide, document, net, error);
         break;
     case KG_DOCUMENT_ORIGAMI:
-        status =
-            write_folds(&guide, kg_document_origami((kg_document *)(uintptr_t)document), error);
+        status = write_folds(&guide, kg_document_origami(document), error);
         break;
     case KG_DOCUMENT_OA:
         status = open_paper(&guide, KG_WORD_CARD_FOOTER, error);
