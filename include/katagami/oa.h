@@ -85,9 +85,11 @@ KG_API bool kg_oa_set_omitted(kg_oa *oa, int x, int z, bool on);
  * base. KG_ERR_INPUT: out of range. */
 KG_API kg_status kg_oa_resize(kg_oa *oa, int width, int depth, int height,
                               kg_error *error) KG_CHECKED;
-/* Makes the right half the mirror of the left one, or the left one that of the right; a middle
- * column stays. Returns whether anything changed. */
-KG_API bool kg_oa_mirror(kg_oa *oa, bool from_right);
+typedef enum kg_oa_half { KG_OA_LEFT_HALF, KG_OA_RIGHT_HALF } kg_oa_half;
+
+/* Makes the other half the mirror of this one; a middle column stays. Returns whether anything
+ * changed. */
+KG_API bool kg_oa_mirror(kg_oa *oa, kg_oa_half half);
 
 /* ---- files ------------------------------------------------------------------------------ */
 

@@ -19,11 +19,11 @@
 
 /* How much larger boxes and search radii are than they need be, in the scaled coordinates: more
  * than the errors of coordinates, directions and distances in single precision, about 4e-7. */
-static const double slack = 2e-6;
+#define SLACK 2e-6
 
 /* Points further away than this many sizes of the mesh meet every triangle: single precision could
  * not tell its boxes apart. */
-static const double far_away = 1e3;
+#define FAR_AWAY 1e3
 
 struct kg_mesh_query {
     RTCDevice device;
@@ -126,12 +126,12 @@ static void bound_triangle(const struct RTCBoundsFunctionArguments *args) {
     for (size_t i = 0; i < 3; i++)
         kg_box3_add(&box, q->corners[3 * (size_t)args->primID + i]);
     *args->bounds_o = (struct RTCBounds){
-        .lower_x = (float)(box.lo.x - slack),
-        .upper_x = (float)(box.hi.x + slack),
-        .lower_y = (float)(box.lo.y - slack),
-        .upper_y = (float)(box.hi.y + slack),
-        .lower_z = (float)(box.lo.z - slack),
-        .upper_z = (float)(box.hi.z + slack),
+        .lower_x = (float)(box.lo.x - SLACK),
+        .upper_x = (float)(box.hi.x + SLACK),
+        .lower_y = (float)(box.lo.y - SLACK),
+        .upper_y = (float)(box.hi.y + SLACK),
+        .lower_z = (float)(box.lo.z - SLACK),
+        .upper_z = (float)(box.hi.z + SLACK),
     };
 }
 
@@ -150,7 +150,7 @@ static void intersect_triangle(const struct RTCIntersectFunctionNArguments *args
     meet_ray(&s->found, s->query, args->primID, &s->line);
     /* Boxes behind the hit need no visit; ties do. */
     struct RTCRayHit *ray = (struct RTCRayHit *)args->rayhit;
-    float reach = (float)(s->found.distance + slack);
+    float reach = (float)(s->found.distance + SLACK);
     if (reach < ray->ray.tfar)
         ray->ray.tfar = reach;
 }
@@ -168,7 +168,7 @@ static bool approach_triangle(struct RTCPointQueryFunctionArguments *args) {
     if (!(s->found.distance < before))
         return false;
     double distance = sqrt(s->found.distance);
-    args->query->radius = (float)(distance * (1 + slack) + slack);
+    args->query->radius = (float)(distance * (1 + SLACK) + SLACK);
     return true;
 }
 
@@ -242,7 +242,7 @@ bool kg_mesh_query_ray(const kg_mesh_query *q, kg_vec3 origin, kg_vec3 direction
 bool kg_mesh_query_closest(const kg_mesh_query *q, kg_vec3 point, kg_mesh_hit *out_hit) {
     point_search s = {.query = q, .point = scaled(q, point)};
     s.found = (best){INFINITY, SIZE_MAX, {0, 0, 0}};
-    if (!(kg_len(s.point) < far_away)) {
+    if (!(kg_len(s.point) < FAR_AWAY)) {
         for (size_t i = 0; i < q->triangle_count; i++)
             meet_point(&s.found, q, i, s.point);
     } else {

@@ -96,9 +96,9 @@ static bool copy_changes(void *to, const void *from, size_t size) {
     return changes;
 }
 
-bool kg_oa_mirror(kg_oa *oa, bool from_right) {
+bool kg_oa_mirror(kg_oa *oa, kg_oa_half half) {
+    bool from_right = half == KG_OA_RIGHT_HALF, changed = false;
     size_t levels = (size_t)oa->height;
-    bool changed = false;
     for (int left = 0, right = oa->width - 1; left < right; left++, right--) {
         size_t from = (size_t)(from_right ? right : left), to = (size_t)(from_right ? left : right);
         changed |= copy_changes(oa->depth + to * levels, oa->depth + from * levels,

@@ -106,7 +106,7 @@ static void mirrored_cards_are_symmetric(void **state) {
     for (int n = 0; n < 200; n++) {
         kg_oa *a = random_card(&r, 0.3, 0.3, false), *b = kg_oa_copy(a);
         bool from_right = n % 2;
-        bool changed = kg_oa_mirror(b, from_right);
+        bool changed = kg_oa_mirror(b, from_right ? KG_OA_RIGHT_HALF : KG_OA_LEFT_HALF);
         assert_int_equal(changed, !kg_oa_equal(a, b));
         assert_int_equal(kg_oa_check(b, NULL), KG_OK);
         for (int x = 0; x < a->width; x++) {
@@ -117,7 +117,9 @@ static void mirrored_cards_are_symmetric(void **state) {
                 assert_true(!kept || kg_oa_depth(b, x, z) == kg_oa_depth(a, x, z));
             }
         }
-        assert_false(kg_oa_mirror(b, !from_right)); /* it is the same from both sides */
+        assert_false(kg_oa_mirror(b, from_right
+                                         ? KG_OA_LEFT_HALF
+                                         : KG_OA_RIGHT_HALF)); /* it is the same from both sides */
         kg_oa_destroy(a);
         kg_oa_destroy(b);
     }

@@ -140,9 +140,9 @@ static void symmetric_cards_stay_so(void **state) {
     for (int n = 0; n < 200; n++) {
         kg_oa *oa = random_card(&r, n % 3 * 0.1, n % 4 * 0.05, n % 5 > 0);
         oa->diagonals = n % 4 == 0;
-        kg_oa_mirror(oa, n % 2);
+        kg_oa_mirror(oa, n % 2 ? KG_OA_RIGHT_HALF : KG_OA_LEFT_HALF);
         mended += mend(oa) > 0;
-        assert_false(kg_oa_mirror(oa, false));
+        assert_false(kg_oa_mirror(oa, KG_OA_LEFT_HALF));
         kg_oa_destroy(oa);
     }
     assert_true(mended > 100);

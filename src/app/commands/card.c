@@ -295,7 +295,8 @@ static kg_status mirror_now(kg_editor *e, const json_t *a, kg_error *error) {
         status = kg_editor_begin(e, N_("Make symmetric"), error);
     if (status)
         return status;
-    if (kg_oa_mirror(kg_editor_oa(e), strcmp(from, "right") == 0))
+    if (kg_oa_mirror(kg_editor_oa(e),
+                     strcmp(from, "right") == 0 ? KG_OA_RIGHT_HALF : KG_OA_LEFT_HALF))
         kg_editor_touch(e);
     kg_editor_commit(e);
     return KG_OK;

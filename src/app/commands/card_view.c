@@ -7,7 +7,7 @@
 #define DEGREE (KG_PI / 180)
 
 /* A step of the keys, degrees. */
-static const double step = 5;
+#define STEP 5
 
 static kg_status brush(kg_editor *e, kg_brush kind) {
     kg_card_state_of(e)->brush = kind;
@@ -95,9 +95,9 @@ static kg_status open_to(kg_editor *e, const json_t *a, kg_error *error) {
 
 /* To the next whole step, so that a few presses lead from anywhere to 0, 90 and 180. */
 static kg_status open_by(kg_editor *e, double steps) {
-    double now = kg_card_state_of(e)->open / DEGREE / step;
+    double now = kg_card_state_of(e)->open / DEGREE / STEP;
     kg_card_play(e, false);
-    kg_card_open(e, step * DEGREE *
+    kg_card_open(e, STEP * DEGREE *
                         (steps > 0 ? floor(now + 1e-6) + steps : ceil(now - 1e-6) + steps));
     return KG_OK;
 }

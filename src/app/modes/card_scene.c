@@ -8,11 +8,11 @@
 
 /* A closed card is drawn open by this much, rad: sheets that lie on each other would be drawn
  * through each other. No corner moves by more than a three-hundredth of the card. */
-static const double ajar = 0.003;
+#define AJAR 0.003
 
 /* Below this opening, rad, only rims are drawn: lines are drawn a little before their paper and
  * would show through the sheet that lies on them. */
-static const double nearly_shut = 0.02;
+#define NEARLY_SHUT 0.02
 
 /* A cell of so many layout units has room for its hatching. */
 enum { ROOMY_CELL = 12 };
@@ -148,7 +148,7 @@ static kg_status make(stage *s, const kg_editor *e, int shown, kg_error *error) 
 
 static kg_status pose(stage *s, double open, kg_error *error) {
     kg_status status = KG_OK;
-    double drawn = fmin(fmax(open, ajar), KG_PI);
+    double drawn = fmin(fmax(open, AJAR), KG_PI);
     clear_shapes(s);
     for (int i = 0; i < KG_AREA_COUNT && !status; i++)
         status = upload_surface(&s->frame, (kg_card_area)i, drawn, &s->surfaces[i], error);
@@ -197,7 +197,7 @@ kg_status kg_card_scene_compose(void **cache, const kg_editor *e, kg_overlay *o,
         return status;
     for (int i = 0; i < KG_AREA_COUNT; i++)
         kg_overlay_item(o, s->surfaces[i], surface_style((kg_card_area)i));
-    bool shut = state->open < nearly_shut;
+    bool shut = state->open < NEARLY_SHUT;
     for (int i = 0; i < KG_CARD_LINE_COUNT; i++) {
         if (shut && i != KG_CARD_EDGE)
             continue;

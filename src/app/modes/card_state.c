@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 /* A whole motion, s. */
-static const double cycle = 4;
+#define CYCLE 4
 
 /* Hinges up to which the degrees of freedom are counted while the user waits: some 10 ms. */
 enum { COUNTED_HINGES = 300 };
@@ -143,9 +143,9 @@ bool kg_card_tick(kg_editor *e, double seconds) {
     kg_card_state *s = kg_card_state_of(e);
     if (!s->playing)
         return false;
-    s->played = fmin(s->played + seconds, cycle);
-    s->playing = s->played < cycle;
-    kg_card_open(e, KG_PI / 2 * (1 + cos(s->phase + 2 * KG_PI * s->played / cycle)));
+    s->played = fmin(s->played + seconds, CYCLE);
+    s->playing = s->played < CYCLE;
+    kg_card_open(e, KG_PI / 2 * (1 + cos(s->phase + 2 * KG_PI * s->played / CYCLE)));
     return true; /* the last moment is shown, too */
 }
 

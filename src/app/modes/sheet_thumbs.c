@@ -8,7 +8,8 @@
 enum { MOST_A_FRAME = 2 };
 
 /* From above and a little from the front, so that raised parts show. */
-static const double yaw = -0.25, pitch = 1.05;
+#define YAW (-0.25)
+#define PITCH 1.05
 
 typedef struct thumb {
     const kg_origami_state *state; /* of the origami shown, which keeps it alive */
@@ -96,8 +97,8 @@ static uint32_t make(const kg_sheets *s, kg_scenery *stage, size_t step, int wid
         for (size_t h = 0; h < shown.state->halves.count; h++)
             if (shown.state->halves.items[h].loop >= 0)
                 kg_box3_add(&box, shown.drawn[h]);
-        camera.yaw = yaw;
-        camera.pitch = pitch;
+        camera.yaw = YAW;
+        camera.pitch = PITCH;
         camera.ortho = true;
         kg_camera_fit(&camera, box, (double)width / height);
         kg_sheet_scene_plain(&shown, &overlay);

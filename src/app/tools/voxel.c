@@ -16,7 +16,7 @@
 enum { PULL_PIXELS = 12 };
 
 /* Pixels between two places of a stroke where the paper is looked for. */
-static const double sample = 3;
+#define SAMPLE 3
 
 typedef enum gesture { IDLE, STROKE, FACES, FILLING, SELECTING, PULLING } gesture;
 
@@ -136,7 +136,7 @@ static void stroke_to(kg_editor *e, state *s, kg_spot to) {
 
 /* Sets the faces of the brush's kind on the way of the pointer. */
 static void faces_to(kg_editor *e, state *s, kg_vec2 px) {
-    int steps = (int)fmin(ceil(kg_dist2(s->last, px) / sample), 500);
+    int steps = (int)fmin(ceil(kg_dist2(s->last, px) / SAMPLE), 500);
     for (int i = steps > 0; i <= steps; i++) {
         kg_oa_hit hit;
         kg_face face;

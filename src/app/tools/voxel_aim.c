@@ -2,10 +2,10 @@
 
 /* Voxel coordinates are affine at every opening, but of no use within 3 degrees of flat or closed:
  * a pixel then is many voxels. */
-static const double least_sine = 0.05;
+#define LEAST_SINE 0.05
 
 /* Slope of a line of sight in a plane's own terms below which it is edge-on. */
-static const double edge_on = 1e-3;
+#define EDGE_ON 1e-3
 
 static void axes_of(const kg_editor *e, kg_vec3 out_axes[5]) {
     kg_oa_axes(kg_card_state_of(e)->open, out_axes);
@@ -29,7 +29,7 @@ static bool sight(const kg_editor *e, kg_vec2 px, kg_vec3 *out_origin, kg_vec3 *
     double cell = kg_editor_oa(e)->cell_mm;
     kg_vec3 axes[5], origin, direction;
     axes_of(e, axes);
-    if (axes[2].z < least_sine)
+    if (axes[2].z < LEAST_SINE)
         return false;
     kg_pane_ray(&e->pane, px, &origin, &direction);
     *out_origin = from_world(origin, axes, cell);
@@ -53,7 +53,7 @@ bool kg_voxel_on_plane(const kg_editor *e, kg_vec2 px, bool level, double at, kg
         return false;
     double speed = level ? direction.z : direction.y;
     double distance = (at - (level ? origin.z : origin.y)) / speed;
-    if (!(fabs(speed) * kg_editor_oa(e)->cell_mm > edge_on) ||
+    if (!(fabs(speed) * kg_editor_oa(e)->cell_mm > EDGE_ON) ||
         (distance < 0 && !e->pane.camera.ortho))
         return false;
     *out = kg_madd(origin, distance, direction);
