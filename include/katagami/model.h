@@ -74,8 +74,15 @@ typedef struct kg_model_join {
     struct json_t *json;
 } kg_model_join;
 
+/* Perpendicular to an axis (0: x, 1: y, 2: z), `at` mm from the origin along it. */
+typedef struct kg_mirror_plane {
+    int axis;
+    double at; /* at most KG_MAX_COORDINATE from 0 */
+} kg_mirror_plane;
+
 typedef struct kg_model {
-    char *title; /* never NULL */
+    char *title;            /* never NULL */
+    kg_mirror_plane mirror; /* that copies are mirrored across; y = 0 in a new model */
     kg_reference reference;
     kg_net_settings net;
     size_t join_count;

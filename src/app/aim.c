@@ -42,3 +42,28 @@ bool kg_patch_aim(const kg_patch *patch, kg_vec3 o, kg_vec3 d, kg_vec2 *out_uv) 
     kg_patch_closest(patch, kg_madd(o, nearest, d), &out_uv->x, &out_uv->y);
     return true;
 }
+
+bool kg_patch_aim_px(const kg_patch *patch, const kg_pane *pane, kg_vec2 px, kg_vec2 *out_uv) {
+    const double lo = patch->extent[0], hi = patch->extent[1];
+    const kg_vec2 corners[] = {{lo, 0}, {hi, 0}, {hi, 1}, {lo, 1}, {lo, 0}};
+    kg_vec3 origin, direction;
+    kg_pane_ray(pane, px, &origin, &direction);
+    if (kg_patch_aim(patch, origin, direction, out_uv))
+        return true;
+    double nearest = (double)INFINITY;
+    for (int k = 0; k < 4 * STRIP_COUNT; k++) {
+        const kg_vec2 *side = &corners[k / STRIP_COUNT];
+        kg_vec2 ends[2], shown[2];
+        bool seen = true;
+        for (int i = 0; i < 2 && seen; i++) {
+            ends[i] = kg_lerp2(side[0], side[1], (double)(k % STRIP_COUNT + i) / STRIP_COUNT);
+            seen = kg_pane_project(pane, kg_patch_point(patch, ends[i].x, ends[i].y), &shown[i]);
+        }
+        double fraction, distance;
+        if (!seen || (distance = kg_segment_distance(px, shown[0], shown[1], &fraction)) >= nearest)
+            continue;
+        nearest = distance;
+        *out_uv = kg_lerp2(ends[0], ends[1], fraction);
+    }
+    return isfinite(nearest);
+}

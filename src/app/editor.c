@@ -338,7 +338,7 @@ bool kg_editor_is_modified(const kg_editor *e) {
 /* ---- life ------------------------------------------------------------------------------- */
 
 kg_status kg_editor_init(kg_editor *e, const kg_settings *settings, kg_error *error) {
-    *e = (kg_editor){.next_state = 1, .patch_opacity = 1, .mirror_normal = {0, 1, 0}};
+    *e = (kg_editor){.next_state = 1, .patch_opacity = 1};
     e->pane.camera = kg_camera_default();
     e->pane.area = (kg_area){0, 0, 1, 1};
     e->pane.scale = 1;

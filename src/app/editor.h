@@ -93,8 +93,6 @@ typedef struct kg_editor {
     kg_pane pane;
     kg_settings settings;
     double patch_opacity;
-    kg_vec3 mirror_normal; /* of the mirror's plane */
-    double mirror_place;   /* mm from the origin along the normal */
     bool trim_cutters;     /* trim inside also trims the cutters */
     kg_mends mends;        /* what would mend the patch shown */
 

@@ -1,6 +1,7 @@
 #include "model/edit.h"
 
 #include "model/clear.h"
+#include "model/mirror.h"
 
 #include <jansson.h>
 #include <stdlib.h>
@@ -349,9 +350,9 @@ static bool same_joins(const kg_model *a, const kg_model *b) {
 
 bool kg_model_equal(const kg_model *a, const kg_model *b) {
     const kg_reference *r = &a->reference, *s = &b->reference;
-    if (!same_text(a->title, b->title) || !same_text(r->file, s->file) ||
-        r->size_mm != s->size_mm || r->up_y != s->up_y || r->visible != s->visible ||
-        r->opacity != s->opacity || r->has_matrix != s->has_matrix ||
+    if (!same_text(a->title, b->title) || !kg_mirror_plane_equal(a->mirror, b->mirror) ||
+        !same_text(r->file, s->file) || r->size_mm != s->size_mm || r->up_y != s->up_y ||
+        r->visible != s->visible || r->opacity != s->opacity || r->has_matrix != s->has_matrix ||
         (r->has_matrix && memcmp(r->matrix, s->matrix, sizeof r->matrix) != 0) ||
         !same_json(r->json, s->json) || !kg_net_settings_equal(&a->net, &b->net) ||
         !same_joins(a, b) || !same_json(a->json, b->json) || a->patch_count != b->patch_count)

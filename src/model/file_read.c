@@ -5,6 +5,7 @@
 #include "base/phrase.h"
 #include "base/reader.h"
 #include "model/lookup.h"
+#include "model/mirror.h"
 #include "net/settings.h"
 
 #include <stdlib.h>
@@ -401,6 +402,7 @@ static kg_status read_root(kg_reader *r, kg_model *m) {
     m->json = json_copy(r->root);
     if (!m->json || json_object_set_new(m->json, "patches", json_array()))
         return KG_ERR_MEMORY; /* each patch keeps its own */
+    m->mirror = kg_mirror_plane_read(r->root);
     status = kg_read_string(r, r->root, "title", &m->title);
     if (!status)
         status = read_reference(r, r->root, &m->reference);

@@ -2,6 +2,7 @@
 #include "katagami/model.h"
 
 #include "base/writer.h"
+#include "model/mirror.h"
 #include "net/settings.h"
 
 #include <stdlib.h>
@@ -113,7 +114,8 @@ static json_t *write_net(const kg_model *m) {
 
 static json_t *write_root(const kg_model *m) {
     json_t *o = kg_write_start(m->json), *patches = json_array(), *net = write_net(m);
-    bool ok = o && patches && net && kg_write_header(o, "patches", m->title);
+    bool ok = o && patches && net && kg_write_header(o, "patches", m->title) &&
+              kg_mirror_plane_write(m->mirror, o);
     ok = ok &&
          kg_write_if(o, "reference", m->reference.file || m->reference.json,
                      write_reference(&m->reference)) &&

@@ -29,6 +29,7 @@ kg_model *kg_model_create(void) {
     m->reference.visible = true;
     m->reference.opacity = 0.4;
     m->net = kg_net_settings_default();
+    m->mirror = (kg_mirror_plane){1, 0};
     m->title = strdup("");
     if (!m->title) {
         free(m);

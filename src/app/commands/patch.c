@@ -6,6 +6,8 @@
 #include "app/tools/tools.h"
 #include "document/pin.h"
 #include "model/edit.h"
+#include "model/mirror.h"
+#include "model/naming.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -78,6 +80,8 @@ static kg_status copy_each(kg_editor *e, const json_t *a, const char *label,
         if (!status && map)
             status = kg_model_transform_patch(kg_editor_model(e), copy, map, error);
         if (!status)
+            status = kg_model_name_copy(kg_editor_model(e), copy, map != NULL, error);
+        if (!status)
             ids[i] = copy;
     }
     status = kg_editor_finish(e, status);
@@ -97,8 +101,9 @@ static kg_status duplicate(kg_editor *e, const json_t *a, kg_error *error) {
 }
 
 static kg_status mirror(kg_editor *e, const json_t *a, kg_error *error) {
-    kg_vec3 normal = e->mirror_normal;
-    kg_vec3 point = a ? kg_v3(0, 0, 0) : kg_scale(normal, e->mirror_place);
+    /* edits in files say themselves where the plane is */
+    kg_mirror_plane plane = a ? (kg_mirror_plane){1, 0} : kg_editor_model(e)->mirror;
+    kg_vec3 normal = kg_mirror_plane_normal(plane), point = kg_scale(normal, plane.at);
     kg_status status = kg_argument_vec3(a, "point", &point, error);
     if (!status)
         status = kg_argument_vec3(a, "normal", &normal, error);
@@ -112,11 +117,30 @@ static kg_status mirror(kg_editor *e, const json_t *a, kg_error *error) {
         kg_editor_say(
             e, KG_WARNING,
             _("Mirrored across the plane %s = %.4g mm, which the panel sets under Tools."),
-            normal.x != 0   ? "x"
-            : normal.y != 0 ? "y"
-                            : "z",
-            e->mirror_place);
+            (const char *[]){"x", "y", "z"}[plane.axis], plane.at);
     return status;
+}
+
+/* Where M mirrors across: "across" x, y or z, "at" mm. */
+static kg_status set_mirror(kg_editor *e, const json_t *a, kg_error *error) {
+    kg_mirror_plane plane = kg_editor_model(e)->mirror;
+    const char *across = (const char *[]){"x", "y", "z"}[plane.axis];
+    kg_status status = kg_argument_text(a, "across", &across, error);
+    if (!status)
+        status = kg_argument_number(a, "at", &plane.at, error);
+    if (!status && (strlen(across) != 1 || !strchr("xyz", across[0])))
+        status = kg_fail(error, KG_ERR_INPUT, "\"across\" has to be \"x\", \"y\" or \"z\"");
+    if (!status && !(fabs(plane.at) <= KG_MAX_COORDINATE))
+        status = kg_fail(error, KG_ERR_INPUT, "coordinates beyond 1000000 mm cannot be stored");
+    if (!status)
+        status = kg_editor_begin(e, N_("Mirror plane"), error);
+    if (status)
+        return status;
+    plane.axis = across[0] - 'x';
+    kg_editor_model(e)->mirror = plane;
+    kg_editor_touch(e);
+    kg_editor_commit(e);
+    return KG_OK;
 }
 
 /* ---- properties ------------------------------------------------------------------------- */
@@ -258,6 +282,8 @@ static const kg_app_command items[] = {
      "Shift+D", NULL, duplicate, kg_has_selection, KG_COMMAND_EDIT},
     {"patch.mirror", N_("Mirror"), N_("Copies the selected patches to the other side."), "M", NULL,
      mirror, kg_has_selection, KG_COMMAND_EDIT},
+    {"mirror.set", N_("Mirror plane"), N_("Says where the plane of the mirror is."), NULL, NULL,
+     set_mirror, NULL, KG_COMMAND_ARGUMENTS},
     {"patch.flip", N_("Flip side"), N_("Makes the other side the front."), "N", NULL, flip,
      kg_has_selection, KG_COMMAND_EDIT},
     {"patch.hide", N_("Hide"), N_("Hides the selected patches."), "H", NULL, hide, kg_has_selection,

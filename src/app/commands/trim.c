@@ -79,31 +79,54 @@ static kg_status op_of_selection(const kg_editor *e, kg_trim_op *op, kg_error *e
     return KG_OK;
 }
 
+/* The selected cutters trim the first selected patch, one after the other: a step each, its piece
+ * being chosen before the next. Those that cut nothing are passed over, unless they are all. */
+static kg_status trim_by_selected(kg_editor *e, kg_error *error) {
+    int64_t id = kg_editor_first_selected(e);
+    size_t count = e->selection.patches.count;
+    kg_status status = KG_OK;
+    for (size_t i = 1; i < count; i++) {
+        kg_trim_op op = {.kind = KG_TRIM_BY, .by_count = 1, .by = malloc(sizeof *op.by)};
+        if (!op.by)
+            return kg_fail(error, KG_ERR_MEMORY, "out of memory");
+        op.by[0] = e->selection.patches.items[i];
+        status = kg_editor_begin(e, N_("Trim"), error);
+        if (status) {
+            clear_op(&op);
+            return status;
+        }
+        status = add_and_solve(e, id, &op, error);
+        if (!status)
+            return kg_tool_start_pieces(e, id, e->selection.patches.items + i + 1, count - i - 1,
+                                        error);
+        status = kg_editor_finish(e, status);
+        if (i + 1 < count && error)
+            kg_editor_say(e, KG_WARNING, "%s", error->message);
+    }
+    return status;
+}
+
 static kg_status trim_by(kg_editor *e, const json_t *a, kg_error *error) {
     kg_trim_op op = {.kind = KG_TRIM_BY};
     kg_model_patch *p;
-    if (!a && !kg_has_two_selected(e))
-        return kg_tool_start_cutter(e, error);
+    if (!a)
+        return kg_has_two_selected(e) ? trim_by_selected(e, error) : kg_tool_start_cutter(e, error);
     kg_status status = kg_argument_patch(e, a, &p, error);
     if (status)
         return status;
     int64_t id = p->id;
-    status = a ? read_op(a, &op, error) : op_of_selection(e, &op, error);
+    status = read_op(a, &op, error);
     if (!status && op.by_count != 1)
         status = kg_fail(error, KG_ERR_INPUT,
-                         "one patch trims another: select the one to trim, then one more (several "
-                         "cutters: trim inside)");
+                         "one patch trims another: \"by\" has to be one (several cutters: "
+                         "trim.inside)");
     if (!status)
         status = kg_editor_begin(e, N_("Trim"), error);
     if (status) {
         clear_op(&op);
         return status;
     }
-    bool chosen = op.keep_count > 0 || a;
-    status = add_and_solve(e, id, &op, error);
-    if (status || chosen)
-        return kg_editor_finish(e, status);
-    return kg_tool_start_pieces(e, id, error);
+    return kg_editor_finish(e, add_and_solve(e, id, &op, error));
 }
 
 static kg_status trim_inside(kg_editor *e, const json_t *a, kg_error *error) {

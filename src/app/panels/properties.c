@@ -290,8 +290,21 @@ static void show_reference(kg_editor *e) {
     }
 }
 
-static void show_view(kg_editor *e) {
+static void show_mirror(kg_editor *e) {
     static const char *const planes[] = {"x", "y", "z"};
+    kg_mirror_plane plane = kg_editor_model(e)->mirror;
+    kg_ui_width(150);
+    if (kg_ui_choice(_("mirror across"), planes, 3, &plane.axis))
+        kg_command_do_with(e, "mirror.set", json_pack("{s:s}", "across", planes[plane.axis]));
+    kg_ui_width(150);
+    unsigned result = kg_ui_number(_("mirror at"), &plane.at, 0.5, -1e5, 1e5, "%.2f mm");
+    kg_ui_tooltip(_("Where the plane of the mirror meets its axis."));
+    if (follow(e, result, N_("Mirror plane")))
+        kg_editor_model(e)->mirror = plane;
+    end_field(e, result);
+}
+
+static void show_view(kg_editor *e) {
     if (!kg_ui_section(_("Tools"), true))
         return;
     kg_ui_width(150);
@@ -302,13 +315,7 @@ static void show_view(kg_editor *e) {
     kg_ui_width(150);
     kg_ui_number(_("step with Ctrl"), &e->settings.step, 0.1, 0.01, 100, "%.2f mm");
     kg_ui_tooltip(_("With Ctrl, what is dragged moves by whole steps of this."));
-    int plane = e->mirror_normal.x != 0 ? 0 : e->mirror_normal.y != 0 ? 1 : 2;
-    kg_ui_width(150);
-    if (kg_ui_choice(_("mirror across"), planes, 3, &plane))
-        e->mirror_normal = kg_v3(plane == 0, plane == 1, plane == 2);
-    kg_ui_width(150);
-    kg_ui_number(_("mirror at"), &e->mirror_place, 0.5, -1e5, 1e5, "%.2f mm");
-    kg_ui_tooltip(_("Where the plane of the mirror meets its axis."));
+    show_mirror(e);
 }
 
 void kg_panel_properties(kg_app *app, kg_area area) {

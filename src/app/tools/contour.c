@@ -20,12 +20,10 @@ typedef struct state {
     bool aimed;
 } state;
 
-/* Where the line of sight meets the patch's rectangle, in (u, v). */
+/* The place on the patch's rectangle, in (u, v), under the pixel or nearest to it. */
 static bool aim(const kg_editor *e, const state *s, kg_vec2 px, kg_vec2 *out) {
     const kg_solved_patch *solved = kg_solution_find(kg_editor_solution(e), s->patch);
-    kg_vec3 origin, direction;
-    kg_pane_ray(&e->pane, px, &origin, &direction);
-    return solved && solved->prepared && kg_patch_aim(&solved->patch, origin, direction, out);
+    return solved && solved->prepared && kg_patch_aim_px(&solved->patch, &e->pane, px, out);
 }
 
 static void finish(kg_editor *e, bool outside) {
@@ -68,11 +66,7 @@ static bool on_event(kg_editor *e, const kg_event *event) {
     case KG_EVENT_PRESS:
         if (event->button != KG_MOUSE_LEFT)
             return false;
-        if (!aim(e, s, event->position, &at))
-            kg_editor_say(
-                e, KG_WARNING, "%s",
-                _("A contour lies on its patch: click there, or widen the extent first."));
-        else if (!kg_push(&s->corners, at))
+        if (aim(e, s, event->position, &at) && !kg_push(&s->corners, at))
             kg_editor_say(e, KG_FAULT, "%s", _("Out of memory."));
         s->aimed = false;
         return true;

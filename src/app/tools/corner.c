@@ -41,12 +41,10 @@ kg_corner kg_corner_under(const kg_editor *e, kg_vec2 px) {
 void kg_corner_move(kg_editor *e, kg_corner c, kg_vec2 px) {
     kg_model_patch *p = kg_model_find(kg_editor_model(e), c.patch);
     const kg_solved_patch *s = kg_solution_find(kg_editor_solution(e), c.patch);
-    kg_vec3 origin, direction;
     kg_vec2 uv;
-    kg_pane_ray(&e->pane, px, &origin, &direction);
     if (!p || !s || !s->prepared || c.trim >= p->trim_count ||
         c.corner >= p->trims[c.trim].contour_count ||
-        !kg_patch_aim(&s->patch, origin, direction, &uv))
+        !kg_patch_aim_px(&s->patch, &e->pane, px, &uv))
         return;
     p->trims[c.trim].contour[c.corner] = uv;
     kg_editor_touch(e);

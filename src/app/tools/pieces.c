@@ -1,5 +1,6 @@
 /* Choosing what stays of a patch that a new trim cuts: the piece under the pointer lights up. */
 #include "app/aim.h"
+#include "app/commands/commands.h"
 #include "app/text.h"
 #include "app/tools/tool.h"
 #include "app/tools/tools.h"
@@ -11,8 +12,10 @@ enum { MOST_HITS = 32 };
 
 typedef struct state {
     int64_t patch;
-    kg_hit under; /* patch 0: none */
-    bool face;    /* there are no pieces: a place on the rectangle is wanted */
+    kg_hit under;  /* patch 0: none */
+    bool face;     /* there are no pieces: a place on the rectangle is wanted */
+    int64_t *rest; /* cutters whose turn comes after this trim */
+    size_t rest_count;
 } state;
 
 static kg_trim_op *last_trim(const kg_editor *e, int64_t patch) {
@@ -40,14 +43,30 @@ static void keep(kg_editor *e, kg_trim_op *op, kg_vec3 place) {
     op->keep[op->keep_count++] = place;
 }
 
-/* The trimmed patch stays selected, so that the next trim can name its cutter. */
+/* The trimmed patch stays selected, so that the next trim can name its cutter; where there are more
+ * of them already, they trim it next. */
 static void finish(kg_editor *e) {
-    const state *s = e->tool_state;
-    int64_t patch = s->patch;
+    state *s = e->tool_state;
+    int64_t patch = s->patch, *rest = s->rest;
+    size_t count = s->rest_count;
+    s->rest = NULL;
     kg_editor_touch(e);
     kg_editor_commit(e);
     kg_editor_use_default(e);
     kg_editor_select(e, patch, false);
+    for (size_t i = 0; i < count; i++)
+        kg_editor_select(e, rest[i], true);
+    free(rest);
+    if (count == 0)
+        return;
+    kg_command_do(e, "trim.by");
+    if (e->tool != &kg_tool_pieces) /* the rest cut nothing */
+        kg_editor_select(e, patch, false);
+}
+
+static void end(kg_editor *e) {
+    state *s = e->tool_state;
+    free(s->rest);
 }
 
 /* ---- a face among several ----------------------------------------------------------------- */
@@ -154,9 +173,15 @@ static void draw(const kg_editor *e, kg_overlay *overlay) {
     }
 }
 
-static kg_status start(kg_editor *e, int64_t patch, bool face, kg_error *error) {
+static kg_status start(kg_editor *e, int64_t patch, bool face, const int64_t *rest, size_t count,
+                       kg_error *error) {
     state *s = calloc(1, sizeof *s);
-    if (!s) {
+    if (s && count > 0 && (s->rest = calloc(count, sizeof *s->rest))) {
+        memcpy(s->rest, rest, count * sizeof *rest);
+        s->rest_count = count;
+    }
+    if (!s || s->rest_count < count) {
+        free(s);
         kg_editor_cancel(e);
         return kg_fail(error, KG_ERR_MEMORY, "out of memory");
     }
@@ -171,12 +196,13 @@ static kg_status start(kg_editor *e, int64_t patch, bool face, kg_error *error) 
     return KG_OK;
 }
 
-kg_status kg_tool_start_pieces(kg_editor *e, int64_t patch, kg_error *error) {
-    return start(e, patch, false, error);
+kg_status kg_tool_start_pieces(kg_editor *e, int64_t patch, const int64_t *rest, size_t count,
+                               kg_error *error) {
+    return start(e, patch, false, rest, count, error);
 }
 
 kg_status kg_tool_start_face(kg_editor *e, int64_t patch, kg_error *error) {
-    return start(e, patch, true, error);
+    return start(e, patch, true, NULL, 0, error);
 }
 
 static const char *hint_now(const kg_editor *e) {
@@ -193,5 +219,5 @@ const kg_tool kg_tool_pieces = {
     on_event,
     draw,
     hint_now,
-    NULL,
+    end,
 };

@@ -28,8 +28,10 @@ kg_vec3 kg_selection_center(const kg_editor *editor);
 /* A click names the patch that trims the selected one, and trims it. */
 kg_status kg_tool_start_cutter(kg_editor *editor, kg_error *error) KG_CHECKED;
 
-/* A step that adds a trim to `patch` is open; a click chooses the pieces that stay. */
-kg_status kg_tool_start_pieces(kg_editor *editor, int64_t patch, kg_error *error) KG_CHECKED;
+/* A step that adds a trim to `patch` is open; a click chooses the pieces that stay. Then the `rest`
+ * of the cutters, a copy of which is kept, trim it in their turn. */
+kg_status kg_tool_start_pieces(kg_editor *editor, int64_t patch, const int64_t *rest, size_t count,
+                               kg_error *error) KG_CHECKED;
 
 /* The same where the trim has several faces to choose from and so no piece yet: a click on the
  * patch's rectangle names one. */
