@@ -21,6 +21,10 @@ typedef struct mapper {
         size_t count, capacity;
     } patches;
     struct {
+        int32_t *items; /* of each part of a patch, one that it is joined to, none later; its own */
+        size_t count, capacity;
+    } parents;
+    struct {
         kg_oa_hinge *items;
         size_t count, capacity;
     } hinges;
@@ -46,27 +50,9 @@ static bool join(mapper *m, size_t piece, int x, int row, int32_t patch) {
     return kg_push(&m->open, ((struct place){piece, x, row}));
 }
 
-/* The same as go_on of a sheet without bent cells: by far most sheets, and much faster. */
-static bool go_on_plain(mapper *m, size_t piece, int x, int row, int32_t patch) {
-    const kg_oa_sheet *s = m->sheet;
-    size_t width = (size_t)s->width;
-    const int32_t *place = s->place + piece / 2;
-    /* what lies below or above in the same plane: a vertical cell is placed alike, the y of
-     * horizontal ones is one more with every row */
-    int32_t onward = *place & 1 ? 2 : 0;
-    return (x + 1 == s->width || place[1] != *place || join(m, piece + 2, x + 1, row, patch)) &&
-           (x == 0 || place[-1] != *place || join(m, piece - 2, x - 1, row, patch)) &&
-           (row + 1 == s->rows || place[width] != *place + onward ||
-            join(m, piece + 2 * width, x, row + 1, patch)) &&
-           (row == 0 || *(place - width) != *place - onward ||
-            join(m, piece - 2 * width, x, row - 1, patch));
-}
-
 /* Gives the patch on to the pieces beyond those edges of `piece` that are no lines. */
 static bool go_on(mapper *m, size_t piece, int x, int row, int32_t patch) {
     const kg_oa_sheet *s = m->sheet;
-    if (!s->bent)
-        return go_on_plain(m, piece, x, row, patch);
     bool done = true;
     if (x + 1 < s->width && piece_at(s, x, row, RIGHT) == piece &&
         kg_oa_edge_right(s, x, row) == KG_OA_NONE)
@@ -103,15 +89,20 @@ static int plane_id(const kg_oa_sheet *s, const kg_oa_piece *piece, size_t patch
     return s->depth + s->height + 2 + (int)patch;
 }
 
+/* A patch that begins at a piece, as yet without cells. */
+static kg_oa_patch patch_from(const mapper *m, int x, int row, int side) {
+    kg_oa_piece piece = kg_oa_cell_piece(m->sheet, x, row, side);
+    return (kg_oa_patch){.x0 = x,
+                         .row0 = row,
+                         .plane = piece.plane,
+                         .plane_id = plane_id(m->sheet, &piece, m->patches.count)};
+}
+
 static bool map_patch(mapper *m, size_t first) {
     const kg_oa_sheet *s = m->sheet;
     int32_t patch = (int32_t)m->patches.count;
     int x = (int)(first / 2 % (size_t)s->width), row = (int)(first / 2 / (size_t)s->width);
-    kg_oa_piece piece = kg_oa_cell_piece(s, x, row, (int)(first % 2));
-    kg_oa_patch p = {.x0 = x,
-                     .row0 = row,
-                     .plane = piece.plane,
-                     .plane_id = plane_id(s, &piece, m->patches.count)};
+    kg_oa_patch p = patch_from(m, x, row, (int)(first % 2));
     if (!join(m, first, x, row, patch))
         return false;
     while (m->open.count > 0) {
@@ -123,19 +114,95 @@ static bool map_patch(mapper *m, size_t first) {
     return kg_push(&m->patches, p);
 }
 
-static bool map_patches(mapper *m) {
+static bool map_bent(mapper *m) {
     const kg_oa_sheet *s = m->sheet;
     size_t pieces = 2 * (size_t)s->width * (size_t)s->rows;
     for (size_t i = 0; i < pieces; i++)
         m->patch_of[i] = -1;
     for (size_t i = 0; i < pieces; i++) {
-        bool whole = !s->bent || s->bent[i / 2] < 0 || s->shapes[s->bent[i / 2]] == KG_OA_WHOLE;
+        bool whole = s->bent[i / 2] < 0 || s->shapes[s->bent[i / 2]] == KG_OA_WHOLE;
         if (whole && i % 2 == 1)
             m->patch_of[i] = m->patch_of[i - 1];
         else if (m->patch_of[i] < 0 && !map_patch(m, i))
             return false;
     }
     return true;
+}
+
+/* ---- sheets without bent cells: by far most, and much faster row by row ------------------- */
+
+/* Parts of patches are numbered as they are found; those that turn out to be one are joined to the
+ * first of them, so that patches come in the order of their first cells. */
+static int32_t first_part(mapper *m, int32_t part) {
+    int32_t *parent = m->parents.items;
+    while (parent[part] != part)
+        part = parent[part] = parent[parent[part]];
+    return part;
+}
+
+static void join_parts(mapper *m, int32_t a, int32_t b) {
+    a = first_part(m, a);
+    b = first_part(m, b);
+    m->parents.items[a > b ? a : b] = a < b ? a : b;
+}
+
+/* A vertical cell is placed like those above and beside it in the same plane, the y of horizontal
+ * ones is one more with every row. */
+static bool map_cell(mapper *m, int x, int row) {
+    const kg_oa_sheet *s = m->sheet;
+    size_t cell = kg_oa_cell(s, x, row), width = (size_t)s->width;
+    const int32_t *place = s->place + cell;
+    int32_t *part = m->patch_of + 2 * cell;
+    bool beside = x > 0 && place[-1] == *place;
+    bool below = row > 0 && *(place - width) == *place - (*place & 1 ? 2 : 0);
+    if (beside || below) {
+        *part = beside ? *(part - 2) : *(part - 2 * width);
+        if (beside && below && *(part - 2 * width) != *part)
+            join_parts(m, *part, *(part - 2 * width));
+    } else {
+        *part = (int32_t)m->patches.count;
+        if (!kg_push(&m->parents, *part) || !kg_push(&m->patches, patch_from(m, x, row, 0)))
+            return false;
+    }
+    widen(s, 2 * cell, x, row, &m->patches.items[*part]);
+    return true;
+}
+
+static void add_part(kg_oa_patch *patch, const kg_oa_patch *part) {
+    patch->x0 = part->x0 < patch->x0 ? part->x0 : patch->x0;
+    patch->x1 = part->x1 > patch->x1 ? part->x1 : patch->x1;
+    patch->row1 = part->row1 > patch->row1 ? part->row1 : patch->row1; /* it begins later */
+    patch->cells += part->cells;
+    patch->front |= part->front;
+}
+
+static bool map_plain(mapper *m) {
+    const kg_oa_sheet *s = m->sheet;
+    size_t cells = (size_t)s->width * (size_t)s->rows, count = 0;
+    for (int row = 0; row < s->rows; row++)
+        for (int x = 0; x < s->width; x++)
+            if (!map_cell(m, x, row))
+                return false;
+    int32_t *number = m->parents.items;
+    for (size_t i = 0; i < m->patches.count; i++)
+        number[i] = first_part(m, (int32_t)i);
+    for (size_t i = 0; i < m->patches.count; i++) { /* from here on, up to i, those of patches */
+        const kg_oa_patch part = m->patches.items[i];
+        bool is_first = number[i] == (int32_t)i;
+        number[i] = is_first ? (int32_t)count++ : number[number[i]];
+        if (is_first)
+            m->patches.items[number[i]] = part;
+        else
+            add_part(&m->patches.items[number[i]], &part);
+    }
+    m->patches.count = count;
+    for (size_t i = 0; i < cells; i++)
+        m->patch_of[2 * i] = m->patch_of[2 * i + 1] = number[m->patch_of[2 * i]];
+    return true;
+}
+
+static bool map_patches(mapper *m) {
+    return m->sheet->bent ? map_bent(m) : map_plain(m);
 }
 
 /* ---- hinges ----------------------------------------------------------------------------- */
@@ -231,6 +298,7 @@ kg_status kg_oa_patches_map(const kg_oa_sheet *sheet, kg_oa_stability *out, kg_e
     mapper m = {.sheet = sheet, .patch_of = malloc(pieces * sizeof *m.patch_of)};
     bool done = m.patch_of && map_patches(&m) && map_hinges(&m);
     free(m.open.items);
+    free(m.parents.items);
     if (!done) {
         free(m.patch_of);
         free(m.patches.items);
