@@ -194,8 +194,8 @@ typedef enum kg_net_preset {
 } kg_net_preset;
 
 typedef struct kg_net_style {
-    uint32_t colour; /* 0xrrggbb */
-    double width;    /* of the stroke, mm */
+    uint32_t color; /* 0xrrggbb */
+    double width;   /* of the stroke, mm */
 } kg_net_style;
 
 typedef struct kg_net_options {

@@ -253,14 +253,14 @@ KG_API void kg_origami_between(const kg_origami *origami, size_t step, double fr
                                kg_vec3 *out_positions);
 
 /* Colours of a sheet, 0xrrggbb; of sheets of imported patterns, red and white. */
-KG_API void kg_origami_colours(const kg_origami *origami, int32_t sheet, uint32_t *out_front,
-                               uint32_t *out_back);
+KG_API void kg_origami_colors(const kg_origami *origami, int32_t sheet, uint32_t *out_front,
+                              uint32_t *out_back);
 /* Whether it began as a crease pattern, whose sheets stay as they are. */
 KG_API bool kg_origami_is_pattern(const kg_origami *origami);
 /* At any time. Sheets of crease patterns are then listed, as the boxes around them, for their
  * colours. KG_ERR_INPUT: there is no such sheet. */
-KG_API kg_status kg_origami_set_colours(kg_origami *origami, size_t sheet, uint32_t front,
-                                        uint32_t back, kg_error *error) KG_CHECKED;
+KG_API kg_status kg_origami_set_colors(kg_origami *origami, size_t sheet, uint32_t front,
+                                       uint32_t back, kg_error *error) KG_CHECKED;
 
 /* ---- drawing ---------------------------------------------------------------------------- */
 

@@ -291,7 +291,7 @@ static bool on_number(const kg_net_view *v, const kg_net_join *join, kg_vec2 px)
                 is_side = is_side || (join->sides[s].part >= 0 &&
                                       p->net.net->parts[join->sides[s].part].number == c->part);
             kg_vec2 at =
-                kg_net_view_to_px(v, kg_add2(c->centre, kg_net_view_page_origin(v, (int)i)));
+                kg_net_view_to_px(v, kg_add2(c->center, kg_net_view_page_origin(v, (int)i)));
             if (c->frame == KG_FRAME_RING && is_side && *end == '\0' && number == join->number &&
                 kg_dist2(px, at) < fmax(c->capital * v->zoom, NEAR * v->scale))
                 return true;

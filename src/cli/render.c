@@ -70,7 +70,7 @@ static kg_style style_of(kg_document *d, const kg_mesh *mesh, size_t group) {
     if (!origami)
         return kg_style_default(kg_color_from_linear(mesh->groups[group].color));
     uint32_t front, back;
-    kg_origami_colours(origami, (int32_t)group, &front, &back);
+    kg_origami_colors(origami, (int32_t)group, &front, &back);
     kg_style style = kg_style_default(kg_color_from_linear(mesh->groups[group].color));
     style.back = (kg_color){(float)(back >> 16 & 0xff) / 255.0F, (float)(back >> 8 & 0xff) / 255.0F,
                             (float)(back & 0xff) / 255.0F, 1};

@@ -39,11 +39,11 @@ kg_status kg_folded_net(const kg_folded *folded, kg_document_net *out_net, kg_er
 
 /* ---- mesh ------------------------------------------------------------------------------- */
 
-static float linear(uint32_t colour, int shift) {
-    return kg_linear_of_srgb((float)(colour >> shift & 0xff) / 255.0F);
+static float linear(uint32_t color, int shift) {
+    return kg_linear_of_srgb((float)(color >> shift & 0xff) / 255.0F);
 }
 
-static kg_status add_group(kg_mesh *mesh, int32_t sheet, size_t first, uint32_t colour) {
+static kg_status add_group(kg_mesh *mesh, int32_t sheet, size_t first, uint32_t color) {
     char name[32];
     snprintf(name, sizeof name, "sheet %d", sheet + 1);
     kg_mesh_group *g = &mesh->groups[mesh->group_count];
@@ -52,7 +52,7 @@ static kg_status add_group(kg_mesh *mesh, int32_t sheet, size_t first, uint32_t 
     g->first_face = first;
     g->face_count = mesh->face_count - first;
     for (int k = 0; k < 3; k++)
-        g->color[k] = linear(colour, 16 - 8 * k);
+        g->color[k] = linear(color, 16 - 8 * k);
     g->color[3] = 1;
     mesh->group_count++;
     return KG_OK;
@@ -91,7 +91,7 @@ static kg_status fill_mesh(const kg_folded *folded, const kg_origami_state *s,
             if (s->loops.items[i].sheet == sheet)
                 add_loop(s, i, corners + at, mesh);
         uint32_t front, back;
-        kg_origami_colours(folded->origami, sheet, &front, &back);
+        kg_origami_colors(folded->origami, sheet, &front, &back);
         status = add_group(mesh, sheet, first, front);
     }
     return status;

@@ -122,7 +122,7 @@ static void spread_samples(kg_assembly_part *part) {
             double area = kg_len(normal) / 2;
             if (pass == 0) {
                 total += area;
-                part->centre = kg_madd(part->centre, area / 3, kg_add(a, kg_add(b, d)));
+                part->center = kg_madd(part->center, area / 3, kg_add(a, kg_add(b, d)));
                 part->front = kg_madd(part->front, 0.5, normal);
                 continue;
             }
@@ -141,7 +141,7 @@ static void spread_samples(kg_assembly_part *part) {
         }
     }
     if (total > 0) {
-        part->centre = kg_scale(part->centre, 1 / total);
+        part->center = kg_scale(part->center, 1 / total);
         part->front = kg_scale(part->front, 1 / total);
     }
 }

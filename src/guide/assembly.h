@@ -13,7 +13,7 @@ typedef struct kg_assembly_part {
     size_t piece_count;
     kg_color color; /* of the patch it is made from */
     kg_box3 box;
-    kg_vec3 centre; /* of its area */
+    kg_vec3 center; /* of its area */
     kg_vec3 front;  /* mean normal, not of unit length */
     size_t sample_count;
     kg_vec3 samples[KG_ASSEMBLY_SAMPLES], normals[KG_ASSEMBLY_SAMPLES];

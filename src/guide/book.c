@@ -50,7 +50,7 @@ static PangoLayout *layout_new(const kg_book *paper, const kg_text *style, doubl
     pango_layout_set_font_description(layout, font);
     pango_font_description_free(font);
     pango_layout_set_text(layout, text, -1);
-    pango_layout_set_alignment(layout, style->align == KG_ALIGN_CENTRE ? PANGO_ALIGN_CENTER
+    pango_layout_set_alignment(layout, style->align == KG_ALIGN_CENTER ? PANGO_ALIGN_CENTER
                                                                        : PANGO_ALIGN_LEFT);
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
     if (width > 0)
@@ -81,7 +81,7 @@ double kg_book_text(kg_book *paper, const kg_text *style, double x, double y, do
                     const char *text) {
     PangoLayout *layout = layout_new(paper, style, width, text);
     double height = size_of(layout).y;
-    kg_book_colour(paper, style->colour);
+    kg_book_color(paper, style->color);
     cairo_save(paper->cr);
     cairo_translate(paper->cr, x, y);
     cairo_scale(paper->cr, GRID, GRID);
@@ -163,7 +163,7 @@ static void show_page(kg_book *paper) {
     double y = paper->size.y - KG_BOOK_MARGIN + 2, width = kg_book_width(paper);
     kg_text style = {KG_BOOK_SMALL, KG_FAINT_INK, KG_ALIGN_LEFT, 1};
     kg_book_text(paper, &style, KG_BOOK_MARGIN, y, width - 20, paper->footer);
-    style.align = KG_ALIGN_CENTRE;
+    style.align = KG_ALIGN_CENTER;
     kg_book_text(paper, &style, KG_BOOK_MARGIN + width - 20, y, 20, number);
     cairo_show_page(paper->cr);
 }
@@ -205,9 +205,9 @@ double kg_book_bottom(const kg_book *paper) {
 
 /* ---- drawing ---------------------------------------------------------------------------- */
 
-void kg_book_colour(kg_book *paper, uint32_t colour) {
-    cairo_set_source_rgb(paper->cr, (colour >> 16 & 255) / 255.0, (colour >> 8 & 255) / 255.0,
-                         (colour & 255) / 255.0);
+void kg_book_color(kg_book *paper, uint32_t color) {
+    cairo_set_source_rgb(paper->cr, (color >> 16 & 255) / 255.0, (color >> 8 & 255) / 255.0,
+                         (color & 255) / 255.0);
 }
 
 kg_status kg_book_image(kg_book *paper, const kg_image *image, double x, double y, double width,
@@ -245,11 +245,11 @@ kg_vec2 kg_book_badge_half(int number) {
 }
 
 /* The digits alone, centred. */
-static void badge_number(kg_book *paper, double x, double y, int number, uint32_t colour) {
+static void badge_number(kg_book *paper, double x, double y, int number, uint32_t color) {
     char text[16];
     snprintf(text, sizeof text, "%d", number);
     kg_text style = badge_text;
-    style.colour = colour;
+    style.color = color;
     PangoLayout *layout = layout_new(paper, &style, 0, text);
     kg_vec2 size = size_of(layout);
     g_object_unref(layout);
@@ -262,20 +262,20 @@ void kg_book_join_badge(kg_book *paper, double x, double y, int number) {
     cairo_arc(paper->cr, x - half.x + half.y, y, half.y, KG_PI / 2, 3 * KG_PI / 2);
     cairo_arc(paper->cr, x + half.x - half.y, y, half.y, -KG_PI / 2, KG_PI / 2);
     cairo_close_path(paper->cr);
-    kg_book_colour(paper, 0xffffff);
+    kg_book_color(paper, 0xffffff);
     cairo_fill_preserve(paper->cr);
-    kg_book_colour(paper, 0xc2185b);
+    kg_book_color(paper, 0xc2185b);
     cairo_set_line_width(paper->cr, 0.45);
     cairo_stroke(paper->cr);
     badge_number(paper, x, y, number, 0xc2185b);
 }
 
-void kg_book_part_badge(kg_book *paper, double x, double y, int number, uint32_t colour) {
+void kg_book_part_badge(kg_book *paper, double x, double y, int number, uint32_t color) {
     kg_vec2 half = kg_book_badge_half(number);
     cairo_rectangle(paper->cr, x - half.x, y - half.y, 2 * half.x, 2 * half.y);
-    kg_book_colour(paper, colour);
+    kg_book_color(paper, color);
     cairo_fill_preserve(paper->cr);
-    kg_book_colour(paper, KG_INK);
+    kg_book_color(paper, KG_INK);
     cairo_set_line_width(paper->cr, 0.25);
     cairo_stroke(paper->cr);
     badge_number(paper, x, y, number, KG_INK);

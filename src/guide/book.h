@@ -47,11 +47,11 @@ kg_status kg_book_finish(kg_book *paper, kg_error *error) KG_CHECKED;
 double kg_book_width(const kg_book *paper);
 double kg_book_bottom(const kg_book *paper);
 
-typedef enum kg_align { KG_ALIGN_LEFT, KG_ALIGN_CENTRE } kg_align;
+typedef enum kg_align { KG_ALIGN_LEFT, KG_ALIGN_CENTER } kg_align;
 
 typedef struct kg_text {
     double size; /* mm */
-    uint32_t colour;
+    uint32_t color;
     kg_align align;
     int lines; /* cut off with an ellipsis behind so many; 0: wrapped into any number */
 } kg_text;
@@ -71,12 +71,12 @@ void kg_book_write(kg_book *paper, const kg_text *style, const char *text);
 kg_status kg_book_image(kg_book *paper, const kg_image *image, double x, double y, double width,
                         kg_error *error) KG_CHECKED;
 
-void kg_book_colour(kg_book *paper, uint32_t colour);
+void kg_book_color(kg_book *paper, uint32_t color);
 
 /* A number in a circle (joins) or a box (parts) around (x, y), and the half size of such a badge.
  */
 void kg_book_join_badge(kg_book *paper, double x, double y, int number);
-void kg_book_part_badge(kg_book *paper, double x, double y, int number, uint32_t colour);
+void kg_book_part_badge(kg_book *paper, double x, double y, int number, uint32_t color);
 kg_vec2 kg_book_badge_half(int number);
 
 #endif

@@ -17,7 +17,7 @@ typedef struct callouts {
     kg_vec2 at, size;
     kg_vec3 back; /* to the eye */
     size_t count;
-    kg_vec2 centres[MOST_BADGES], halves[MOST_BADGES]; /* badges placed so far */
+    kg_vec2 centers[MOST_BADGES], halves[MOST_BADGES]; /* badges placed so far */
 } callouts;
 
 static kg_vec2 project(const callouts *c, kg_vec3 point) {
@@ -27,21 +27,21 @@ static kg_vec2 project(const callouts *c, kg_vec3 point) {
 }
 
 /* Within the picture and clear of all other badges? */
-static bool is_clear(const callouts *c, kg_vec2 centre, kg_vec2 half) {
-    kg_vec2 in = kg_sub2(centre, c->at);
+static bool is_clear(const callouts *c, kg_vec2 center, kg_vec2 half) {
+    kg_vec2 in = kg_sub2(center, c->at);
     if (in.x < half.x || in.y < half.y || in.x > c->size.x - half.x || in.y > c->size.y - half.y)
         return false;
     for (size_t i = 0; i < c->count; i++)
-        if (fabs(centre.x - c->centres[i].x) < half.x + c->halves[i].x + 0.4 &&
-            fabs(centre.y - c->centres[i].y) < half.y + c->halves[i].y + 0.4)
+        if (fabs(center.x - c->centers[i].x) < half.x + c->halves[i].x + 0.4 &&
+            fabs(center.y - c->centers[i].y) < half.y + c->halves[i].y + 0.4)
             return false;
     return true;
 }
 
-static void take(callouts *c, kg_vec2 centre, kg_vec2 half) {
+static void take(callouts *c, kg_vec2 center, kg_vec2 half) {
     if (c->count == MOST_BADGES)
         return;
-    c->centres[c->count] = centre;
+    c->centers[c->count] = center;
     c->halves[c->count++] = half;
 }
 
@@ -54,7 +54,7 @@ static void draw_arrow(kg_book *paper, kg_vec2 from, kg_vec2 to) {
         return;
     kg_vec2 way = kg_scale2(kg_sub2(to, from), 1 / length), side = kg_v2(-way.y, way.x);
     kg_vec2 neck = kg_sub2(to, kg_scale2(way, 2));
-    kg_book_colour(paper, KG_STAGE_JOIN);
+    kg_book_color(paper, KG_STAGE_JOIN);
     cairo_set_line_width(paper->cr, 0.3);
     cairo_set_dash(paper->cr, dashes, 2, 0);
     cairo_move_to(paper->cr, from.x, from.y);
@@ -69,21 +69,21 @@ static void draw_arrow(kg_book *paper, kg_vec2 from, kg_vec2 to) {
 }
 
 /* A clear place near `centre` with a line to it; `centre` itself where there is none. */
-static kg_vec2 step_aside(callouts *c, kg_vec2 centre, kg_vec2 half) {
+static kg_vec2 step_aside(callouts *c, kg_vec2 center, kg_vec2 half) {
     enum { RINGS = 6, DIRECTIONS = 12 };
     for (int i = 0; i < RINGS * DIRECTIONS; i++) {
         double radius = 2 * half.y + 3.0 * (i / DIRECTIONS), angle = 2 * KG_PI * i / DIRECTIONS;
-        kg_vec2 place = kg_add2(centre, kg_v2(radius * cos(angle), radius * sin(angle)));
+        kg_vec2 place = kg_add2(center, kg_v2(radius * cos(angle), radius * sin(angle)));
         if (!is_clear(c, place, half))
             continue;
-        kg_book_colour(c->guide->paper, KG_STAGE_JOIN);
+        kg_book_color(c->guide->paper, KG_STAGE_JOIN);
         cairo_set_line_width(c->guide->paper->cr, 0.25);
-        cairo_move_to(c->guide->paper->cr, centre.x, centre.y);
+        cairo_move_to(c->guide->paper->cr, center.x, center.y);
         cairo_line_to(c->guide->paper->cr, place.x, place.y);
         cairo_stroke(c->guide->paper->cr);
         return place;
     }
-    return centre;
+    return center;
 }
 
 /* The join's number stands on the way of the new part, where the join can be seen if it can. */
@@ -99,20 +99,20 @@ static void draw_join(callouts *c, int index) {
         int step = (i + 1) / 2 * (i % 2 ? 1 : -1);
         size_t k = (size_t)((0.5 + step / (PLACES + 2.0)) * (double)(join->count - 1));
         kg_vec3 p = join->points[k];
-        kg_vec2 centre = project(c, kg_madd(p, 0.5, c->view->offset));
-        int score = CLEAR * is_clear(c, centre, half) + kg_sight_is_free(c->sight, p, c->back);
+        kg_vec2 center = project(c, kg_madd(p, 0.5, c->view->offset));
+        int score = CLEAR * is_clear(c, center, half) + kg_sight_is_free(c->sight, p, c->back);
         if (score > best_score) {
             best_score = score;
             best = p;
         }
     }
-    kg_vec2 centre = project(c, kg_madd(best, 0.5, c->view->offset));
+    kg_vec2 center = project(c, kg_madd(best, 0.5, c->view->offset));
     if (kg_len(c->view->offset) > 0)
         draw_arrow(c->guide->paper, project(c, kg_add(best, c->view->offset)), project(c, best));
     if (best_score < CLEAR)
-        centre = step_aside(c, centre, half);
-    kg_book_join_badge(c->guide->paper, centre.x, centre.y, number);
-    take(c, centre, half);
+        center = step_aside(c, center, half);
+    kg_book_join_badge(c->guide->paper, center.x, center.y, number);
+    take(c, center, half);
 }
 
 /* ---- parts ------------------------------------------------------------------------------ */

@@ -21,7 +21,7 @@ static const double DEGREE = 0.017453292519943295;
 static const kg_text title_text = {KG_BOOK_TITLE, KG_INK, KG_ALIGN_LEFT, 2},
                      heading = {KG_BOOK_HEADING, KG_INK, KG_ALIGN_LEFT, 0},
                      plain = {KG_BOOK_TEXT, KG_INK, KG_ALIGN_LEFT, 0},
-                     caption = {KG_BOOK_TEXT, KG_INK, KG_ALIGN_CENTRE, 1};
+                     caption = {KG_BOOK_TEXT, KG_INK, KG_ALIGN_CENTER, 1};
 
 /* ---- pictures --------------------------------------------------------------------------- */
 

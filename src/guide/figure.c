@@ -39,9 +39,9 @@ static kg_vec3 normal_of(const kg_vec3 *p, size_t n, kg_vec3 *out_middle) {
 }
 
 kg_status kg_figure_add(kg_figure *f, const kg_vec3 *points, const unsigned char *looks,
-                        size_t count, uint32_t colour, int32_t id) {
+                        size_t count, uint32_t color, int32_t id) {
     kg_vec3 middle, normal = normal_of(points, count, &middle);
-    kg_facet facet = {.first = f->points.count, .count = count, .colour = colour, .id = id};
+    kg_facet facet = {.first = f->points.count, .count = count, .color = color, .id = id};
     facet.box = kg_box2_empty();
     for (size_t i = 0; i < count; i++)
         kg_box2_add(&facet.box, flat(points[i]));
@@ -230,9 +230,9 @@ void kg_figure_fold_line(cairo_t *cr, bool mountain, double phase) {
         cairo_set_dash(cr, valley_dashes, 2, phase);
 }
 
-static void set_colour(cairo_t *cr, uint32_t colour) {
-    cairo_set_source_rgb(cr, (colour >> 16 & 255) / 255.0, (colour >> 8 & 255) / 255.0,
-                         (colour & 255) / 255.0);
+static void set_color(cairo_t *cr, uint32_t color) {
+    cairo_set_source_rgb(cr, (color >> 16 & 255) / 255.0, (color >> 8 & 255) / 255.0,
+                         (color & 255) / 255.0);
 }
 
 static void stroke_side(cairo_t *cr, kg_side_look look, kg_vec2 a, kg_vec2 b, kg_vec2 origin) {
@@ -306,7 +306,7 @@ static void repeat_fold(const kg_figure *f, cairo_t *cr, size_t place, size_t k,
         p = kg_add2(p, shift), q = kg_add2(q, shift);
         p = kg_v2(offset.x + scale * p.x, offset.y - scale * p.y);
         q = kg_v2(offset.x + scale * q.x, offset.y - scale * q.y);
-        set_colour(cr, a->colour);
+        set_color(cr, a->color);
         cairo_set_dash(cr, NULL, 0, 0);
         cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
         cairo_set_line_width(cr, 2.5 * OUTLINE_WIDTH);
@@ -340,7 +340,7 @@ void kg_figure_paint(const kg_figure *f, cairo_t *cr, double scale, kg_vec2 offs
             cairo_line_to(cr, p.x, p.y);
         }
         cairo_close_path(cr);
-        set_colour(cr, a->colour);
+        set_color(cr, a->color);
         cairo_fill(cr);
         for (size_t k = 0; k < a->count; k++) {
             kg_side_look look = (kg_side_look)f->looks.items[a->first + k];

@@ -19,7 +19,7 @@ typedef enum kg_side_look {
 /* Points are as seen: x to the right, y up, z towards the eye; sides run to the next point. */
 typedef struct kg_facet {
     size_t first, count; /* counter-clockwise as seen */
-    uint32_t colour;
+    uint32_t color;
     int32_t id;
     double plane[3]; /* z = plane[0] x + plane[1] y + plane[2] */
     kg_box2 box;
@@ -54,7 +54,7 @@ typedef struct kg_figure {
 
 /* Adds a facet; `looks` has one look for each side. Facets seen from their edge are left out. */
 kg_status kg_figure_add(kg_figure *figure, const kg_vec3 *points, const unsigned char *looks,
-                        size_t count, uint32_t colour, int32_t id);
+                        size_t count, uint32_t color, int32_t id);
 void kg_figure_clear(kg_figure *figure);
 
 /* 1 when the facet with the first id is nearer to the eye than the other where both lie, -1 when it

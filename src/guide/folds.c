@@ -23,7 +23,7 @@ static const kg_text title_text = {KG_BOOK_TITLE, KG_INK, KG_ALIGN_LEFT, 2},
                      plain = {KG_BOOK_TEXT, KG_INK, KG_ALIGN_LEFT, 0},
                      caption = {KG_BOOK_TEXT, KG_INK, KG_ALIGN_LEFT, 3},
                      faint = {KG_BOOK_TEXT, KG_FAINT_INK, KG_ALIGN_LEFT, 0},
-                     small = {KG_BOOK_SMALL, KG_INK, KG_ALIGN_CENTRE, 1};
+                     small = {KG_BOOK_SMALL, KG_INK, KG_ALIGN_CENTER, 1};
 
 /* ---- opening ---------------------------------------------------------------------------- */
 
@@ -75,7 +75,7 @@ static kg_vec2 placed(const frame *f, kg_vec2 p) {
 
 static void paint_dimension(kg_guide *g, const kg_dimension *d, const char *text) {
     cairo_t *cr = g->paper->cr;
-    kg_book_colour(g->paper, KG_FAINT_INK);
+    kg_book_color(g->paper, KG_FAINT_INK);
     cairo_set_line_width(cr, 0.15);
     kg_vec2 line[2];
     for (int k = 0; k < 2; k++) {
@@ -129,7 +129,7 @@ static kg_status paint_picture(kg_guide *g, const kg_diagram *d, kg_vec2 at, dou
         kg_vec2 p = placed(&f, d->marks[i]);
         cairo_new_path(cr);
         cairo_arc(cr, p.x, p.y, 1.7, 0, 6.2832);
-        kg_book_colour(g->paper, KG_INK);
+        kg_book_color(g->paper, KG_INK);
         cairo_set_line_width(cr, 0.3);
         cairo_stroke(cr);
     }
@@ -237,7 +237,7 @@ void kg_guide_line_sign(kg_guide *g, kg_word word, kg_net_kind kind) {
     char text[KG_SENTENCE];
     cairo_t *cr = g->paper->cr;
     double y = g->paper->y + 2.6;
-    kg_book_colour(g->paper, KG_INK);
+    kg_book_color(g->paper, KG_INK);
     set_line(cr, kind);
     cairo_move_to(cr, KG_BOOK_MARGIN, y);
     cairo_line_to(cr, KG_BOOK_MARGIN + 20, y);
@@ -304,7 +304,7 @@ void kg_guide_net(kg_guide *g, double height) {
         f.offset = kg_v2(KG_BOOK_MARGIN + (kg_book_width(g->paper) - f.scale * span.x) / 2 -
                              f.scale * box.lo.x,
                          g->paper->y + 4 - f.scale * box.lo.y);
-        kg_book_colour(g->paper, KG_INK);
+        kg_book_color(g->paper, KG_INK);
         for (size_t k = 0; k < part->line_count; k++) {
             set_line(cr, part->lines[k].kind);
             trace(cr, &part->lines[k], &f);

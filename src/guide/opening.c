@@ -118,20 +118,20 @@ static void trace(cairo_t *cr, const thumbnail *t, const kg_vec2 *points, size_t
 }
 
 /* A stroke of `width` mm on paper, whatever the scale of the drawing. */
-static void stroke(kg_book *paper, uint32_t colour, double width, double scale) {
-    kg_book_colour(paper, colour);
+static void stroke(kg_book *paper, uint32_t color, double width, double scale) {
+    kg_book_color(paper, color);
     cairo_set_line_width(paper->cr, width / scale);
     cairo_stroke(paper->cr);
 }
 
-static void show_thumbnail(kg_guide *g, size_t index, const thumbnail *t, kg_vec2 centre,
+static void show_thumbnail(kg_guide *g, size_t index, const thumbnail *t, kg_vec2 center,
                            double scale) {
     kg_book *paper = g->paper;
     const kg_net_part *part = &g->net->parts[index];
     const kg_assembly_part *shape = &g->assembly->parts[index];
     kg_color c = shape->color;
     cairo_save(paper->cr);
-    cairo_translate(paper->cr, centre.x, centre.y);
+    cairo_translate(paper->cr, center.x, center.y);
     cairo_scale(paper->cr, scale, scale);
     kg_vec2 middle = kg_lerp2(t->box.lo, t->box.hi, 0.5);
     cairo_translate(paper->cr, -middle.x, -middle.y);
@@ -196,7 +196,7 @@ static void show_sample(kg_guide *g, kg_net_layer layer, double x, double y) {
     cairo_set_dash(paper->cr, dashes, count, 0);
     cairo_move_to(paper->cr, x, y);
     cairo_line_to(paper->cr, x + SAMPLE_WIDTH, y);
-    stroke(paper, g->options->styles[layer].colour, fmax(g->options->styles[layer].width, 0.25), 1);
+    stroke(paper, g->options->styles[layer].color, fmax(g->options->styles[layer].width, 0.25), 1);
     cairo_set_dash(paper->cr, NULL, 0, 0);
 }
 
@@ -206,7 +206,7 @@ static void show_tab(kg_guide *g, double x, double y) {
     cairo_line_to(paper->cr, x + 6, y - 2);
     cairo_line_to(paper->cr, x + 20, y - 2);
     cairo_line_to(paper->cr, x + 23, y + 2);
-    stroke(paper, g->options->styles[KG_LAYER_CUT].colour, 0.25, 1);
+    stroke(paper, g->options->styles[KG_LAYER_CUT].color, 0.25, 1);
     show_sample(g, KG_LAYER_MOUNTAIN, x, y + 2);
 }
 

@@ -60,10 +60,10 @@ static kg_side_look look_of(const view *v, int32_t half) {
 }
 
 /* Slanting paper is a little darker. */
-static uint32_t shade(uint32_t colour, double light) {
+static uint32_t shade(uint32_t color, double light) {
     uint32_t out = 0;
     for (int shift = 0; shift <= 16; shift += 8)
-        out |= (uint32_t)lround((double)(colour >> shift & 255) * light) << shift;
+        out |= (uint32_t)lround((double)(color >> shift & 255) * light) << shift;
     return out;
 }
 
@@ -82,7 +82,7 @@ static kg_status add_loop(const view *v, size_t loop, kg_figure *f) {
         points[i] = corner(v, h);
         looks[i] = (unsigned char)look_of(v, h);
     }
-    kg_origami_colours(v->diagram->origami, s->loops.items[loop].sheet, &front, &back);
+    kg_origami_colors(v->diagram->origami, s->loops.items[loop].sheet, &front, &back);
     double facing = kg_dot(v->normals[loop], v->diagram->back);
     if (!status)
         status = kg_figure_add(f, points, looks, n,
@@ -106,7 +106,7 @@ static kg_status add_spine(const view *v, size_t edge, kg_figure *f) {
     if (kg_dist(points[0], points[3]) + kg_dist(points[1], points[2]) < 0.1 * v->thickness)
         return KG_OK;
     uint32_t front, back;
-    kg_origami_colours(v->diagram->origami, s->loops.items[x].sheet, &front, &back);
+    kg_origami_colors(v->diagram->origami, s->loops.items[x].sheet, &front, &back);
     return kg_figure_add(f, points, looks, 4,
                          shade(s->edges.items[edge].angle > 0 ? back : front, 0.82), -1);
 }

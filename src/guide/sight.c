@@ -119,7 +119,7 @@ kg_vec3 kg_view_offset(const kg_assembly *assembly, int part, const int *joins, 
     }
     if (weight == 0)
         return kg_v3(0, 0, 0);
-    kg_vec3 away = kg_sub(p->centre, kg_scale(middle, 1 / weight));
+    kg_vec3 away = kg_sub(p->center, kg_scale(middle, 1 / weight));
     if (kg_len(away) < 0.12 * size)
         away = p->front;
     return kg_scale(kg_unit(away), fmax(0.3 * size, 0.08 * kg_box_size(assembly->box)));

@@ -199,7 +199,7 @@ static kg_status add_pictures(walk *w, const kg_guide_step *step, kg_error *erro
     if (!status) {
         kg_callouts_draw(g, &view, sight, &camera, at, size);
         cairo_rectangle(paper->cr, at.x, at.y, size.x, size.y);
-        kg_book_colour(paper, FRAME);
+        kg_book_color(paper, FRAME);
         cairo_set_line_width(paper->cr, 0.2);
         cairo_stroke(paper->cr);
     }

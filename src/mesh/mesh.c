@@ -151,9 +151,9 @@ kg_status kg_mesh_fit(kg_mesh *mesh, double size_mm, kg_error *error) {
                        "made %g mm long",
                        size_mm);
     double s = size_mm / longest;
-    kg_vec3 centre = kg_lerp(box.lo, box.hi, 0.5);
+    kg_vec3 center = kg_lerp(box.lo, box.hi, 0.5);
     for (size_t v = 0; v < mesh->vertex_count; v++)
-        mesh->positions[v] = kg_scale(kg_sub(mesh->positions[v], centre), s);
+        mesh->positions[v] = kg_scale(kg_sub(mesh->positions[v], center), s);
     return KG_OK;
 }
 

@@ -28,7 +28,7 @@
 struct kg_mesh_query {
     RTCDevice device;
     RTCScene scene;
-    kg_vec3 centre;
+    kg_vec3 center;
     double scale; /* scaled = (mesh - centre) × scale */
     kg_box3 box;  /* scaled */
     size_t triangle_count;
@@ -175,7 +175,7 @@ static bool approach_triangle(struct RTCPointQueryFunctionArguments *args) {
 /* ---- questions ------------------------------------------------------------------------- */
 
 static kg_vec3 scaled(const kg_mesh_query *q, kg_vec3 p) {
-    return kg_scale(kg_sub(p, q->centre), q->scale);
+    return kg_scale(kg_sub(p, q->center), q->scale);
 }
 
 static bool answer(const kg_mesh_query *q, const best *found, double distance,
@@ -186,7 +186,7 @@ static bool answer(const kg_mesh_query *q, const best *found, double distance,
     *out_hit = (kg_mesh_hit){
         .distance = distance / q->scale,
         .face = q->faces[found->triangle],
-        .point = kg_add(kg_scale(found->point, 1 / q->scale), q->centre),
+        .point = kg_add(kg_scale(found->point, 1 / q->scale), q->center),
         .normal = kg_unit(kg_cross(kg_sub(c[1], c[0]), kg_sub(c[2], c[0]))),
     };
     return true;
@@ -286,7 +286,7 @@ static kg_status scale_to_unit(kg_mesh_query *q, const kg_mesh *mesh, kg_error *
     if (longest > 0)
         frexp(longest, &exponent); /* longest < 2^exponent */
     q->scale = ldexp(1, exponent > -1000 ? 1 - exponent : 1000);
-    q->centre = kg_lerp(box.lo, box.hi, 0.5);
+    q->center = kg_lerp(box.lo, box.hi, 0.5);
     q->box.lo = scaled(q, box.lo);
     q->box.hi = scaled(q, box.hi);
     return KG_OK;

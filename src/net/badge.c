@@ -37,7 +37,7 @@ static kg_vec2 frame_half(const kg_caption *caption) {
 /* A point in the caption's axes, on the page. */
 static kg_vec2 on_page(const kg_caption *caption, double x, double y) {
     double c = cos(caption->angle), s = sin(caption->angle);
-    return kg_add2(caption->centre, kg_v2(c * x - s * y, s * x + c * y));
+    return kg_add2(caption->center, kg_v2(c * x - s * y, s * x + c * y));
 }
 
 size_t kg_badge_split(const kg_caption *caption, kg_badge *out) {
@@ -53,8 +53,8 @@ size_t kg_badge_split(const kg_caption *caption, kg_badge *out) {
     name->align = KG_CAPTION_START;
     name->text = (char *)(uintptr_t)(blank + 1); /* kg_page_caption copies it */
     double box = frame_half(number).x, beside = kg_caption_half(name).x + NAME_GAP / 2;
-    number->centre = on_page(caption, -beside, 0);
-    name->centre = on_page(caption, box + NAME_GAP / 2, 0);
+    number->center = on_page(caption, -beside, 0);
+    name->center = on_page(caption, box + NAME_GAP / 2, 0);
     return 2;
 }
 

@@ -30,7 +30,7 @@ typedef struct kg_caption {
     kg_frame frame; /* what is drawn around it: parts stand in boxes, joins in rings */
     int part;
     int64_t source;
-    kg_vec2 centre; /* of the box from baseline to capital height */
+    kg_vec2 center; /* of the box from baseline to capital height */
     double angle;   /* turning x towards y */
     double capital; /* height of capitals, mm */
     kg_caption_align align;

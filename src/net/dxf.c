@@ -150,14 +150,14 @@ static void linetype_record(dxf *d, const char *name, const char *words, const d
 }
 
 /* The nearest of AutoCAD's first nine colours; black paper's white stands for black. */
-static int colour_index(uint32_t colour) {
-    static const uint32_t colours[] = {0xff0000, 0xffff00, 0x00ff00, 0x00ffff, 0x0000ff,
-                                       0xff00ff, 0x000000, 0x808080, 0xc0c0c0};
+static int color_index(uint32_t color) {
+    static const uint32_t colors[] = {0xff0000, 0xffff00, 0x00ff00, 0x00ffff, 0x0000ff,
+                                      0xff00ff, 0x000000, 0x808080, 0xc0c0c0};
     int best = 0, least = 3 * 256 * 256;
     for (int i = 0; i < 9; i++) {
         int sum = 0;
         for (int shift = 0; shift < 24; shift += 8) {
-            int step = (int)(colour >> shift & 255) - (int)(colours[i] >> shift & 255);
+            int step = (int)(color >> shift & 255) - (int)(colors[i] >> shift & 255);
             sum += step * step;
         }
         if (sum < least) {
@@ -189,7 +189,7 @@ static void tables(dxf *d) {
         record(d, "LAYER", d->record++, H_LAYER, "AcDbLayerTableRecord",
                i < 0 ? "0" : kg_layer_label(layer));
         integer(d, 70, 0);
-        integer(d, 62, i < 0 ? 7 : colour_index(d->drawing->styles[i].colour));
+        integer(d, 62, i < 0 ? 7 : color_index(d->drawing->styles[i].color));
         text(d, 6, i < 0 ? "Continuous" : linetype(layer));
     }
     text(d, 0, "ENDTAB");

@@ -151,7 +151,7 @@ static bool outline_digits(const kg_caption *caption, kg_path *path) {
             kg_vec2 p[2];
             for (int e = 0; e < 2; e++) {
                 double x = (left + ends[k][2 * e]) * unit, y = (ends[k][2 * e + 1] - 1) * unit;
-                p[e] = kg_add2(caption->centre, kg_v2(c * x - s * y, s * x + c * y));
+                p[e] = kg_add2(caption->center, kg_v2(c * x - s * y, s * x + c * y));
             }
             if (!kg_path_move(path, p[0]) || !kg_path_line(path, p[1]))
                 return false;

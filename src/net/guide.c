@@ -36,11 +36,11 @@ static bool scale_bar(kg_page *page, kg_vec2 at, size_t number, size_t count) {
     char text[64];
     snprintf(text, sizeof text, "50 mm");
     kg_caption caption = {
-        .layer = KG_LAYER_GUIDE, .centre = kg_v2(end + 6, at.y), .capital = CAPITAL, .text = text};
+        .layer = KG_LAYER_GUIDE, .center = kg_v2(end + 6, at.y), .capital = CAPITAL, .text = text};
     if (!kg_page_caption(page, &caption))
         return false;
     snprintf(text, sizeof text, "%zu / %zu", number, count);
-    caption.centre.x = end + 20;
+    caption.center.x = end + 20;
     return kg_page_caption(page, &caption);
 }
 

@@ -35,7 +35,7 @@ static double upright(double angle) {
 
 static kg_block block_of(const kg_caption *caption, double clearance) {
     kg_vec2 half = kg_badge_half(caption);
-    return (kg_block){caption->centre, kg_v2(half.x + clearance, half.y + clearance),
+    return (kg_block){caption->center, kg_v2(half.x + clearance, half.y + clearance),
                       caption->angle};
 }
 
@@ -56,7 +56,7 @@ static bool is_free(const writer *w, const kg_caption *caption, bool outside) {
     for (size_t i = 0; i < count; i++) {
         kg_block block = block_of(&badge.pieces[i], CLEARANCE);
         if (!kg_space_holds(w->space, &block) ||
-            kg_space_inside(w->space, part, badge.pieces[i].centre) == outside ||
+            kg_space_inside(w->space, part, badge.pieces[i].center) == outside ||
             kg_space_blocked(w->space, part, &block) || on_captions(w, &block))
             return false;
     }
@@ -101,13 +101,13 @@ static bool place_with_leader(const writer *w, kg_frame frame, const char *text,
         for (int k = 0; k < 16; k++) {
             double angle = 2 * KG_PI * k / 16;
             kg_vec2 way = kg_v2(cos(angle), sin(angle));
-            caption.centre = kg_add2(anchor, kg_scale2(way, 2.5 * ring + half.x));
-            kg_vec2 end = kg_sub2(caption.centre, kg_scale2(way, kg_badge_reach(&caption, way)));
+            caption.center = kg_add2(anchor, kg_scale2(way, 2.5 * ring + half.x));
+            kg_vec2 end = kg_sub2(caption.center, kg_scale2(way, kg_badge_reach(&caption, way)));
             if (is_free(w, &caption, true) && leader_free(w, anchor, end))
                 return label_add(w, &caption) && leader_draw(w, anchor, end);
         }
     }
-    caption.centre = anchor;
+    caption.center = anchor;
     return label_add(w, &caption);
 }
 
@@ -125,7 +125,7 @@ static bool fit_in_part(const writer *w, const char *text, kg_caption *out) {
         caption.angle = degrees[k] * KG_PI / 180;
         kg_vec2 half = kg_badge_half(&caption);
         double room = kg_space_pole(w->space, w->part->number, caption.angle, half.x / half.y,
-                                    &caption.centre);
+                                    &caption.center);
         /* The pole is careful about the box's corners: from what it promises the text grows to
          * what really is free. */
         for (caption.capital = PART_CAPITAL; caption.capital >= LEAST_CAPITAL;
@@ -233,7 +233,7 @@ static bool fit_at_edge(const writer *w, const stretch *s, const char *text, boo
             double away = kg_badge_half(&caption).y + CLEARANCE + EDGE_DISTANCE + further[k / 9];
             for (int side = 0; side < (s->edge ? 1 : 2); side++) {
                 double sign = (side == 0) != (s->edge && outside) ? 1 : -1;
-                caption.centre = kg_add2(at, kg_scale2(kg_v2(-way.y, way.x), sign * away));
+                caption.center = kg_add2(at, kg_scale2(kg_v2(-way.y, way.x), sign * away));
                 if (is_free(w, &caption, outside && s->edge)) {
                     *out = caption;
                     return true;

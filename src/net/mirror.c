@@ -21,7 +21,7 @@ void kg_drawing_mirror(kg_drawing *drawing) {
             kg_caption *caption = &page->captions.items[k];
             if (caption->layer == KG_LAYER_GUIDE)
                 continue;
-            caption->centre.x = drawing->size.x - caption->centre.x;
+            caption->center.x = drawing->size.x - caption->center.x;
             caption->angle = -caption->angle;
             /* A name stays beside its number. */
             if (caption->align != KG_CAPTION_MIDDLE)

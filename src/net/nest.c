@@ -32,7 +32,7 @@ static double grained(double x) {
 typedef struct turn {
     double angle;
     kg_vec2 offset, size; /* of its bounding box */
-    double centre;        /* height of its centre of area in the box */
+    double center;        /* height of its centre of area in the box */
     bool made[2];
     kg_nest_raster rasters[2]; /* without the spacing and with it, made when asked for */
 } turn;
@@ -83,7 +83,7 @@ static uint64_t next_random(nester *n) {
 }
 
 /* Height of the centre of area of the outer contour. */
-static double centre_height(const kg_nest_shape *shape, const kg_vec2 *points) {
+static double center_height(const kg_nest_shape *shape, const kg_vec2 *points) {
     double area = 0, moment = 0;
     for (size_t i = 0; i < shape->ends[0]; i++) {
         kg_vec2 a = points[i], b = points[i + 1 < shape->ends[0] ? i + 1 : 0];
@@ -106,7 +106,7 @@ static void init_turns(nester *n, size_t index) {
         turn *t = &it->turns[k];
         t->angle = start + full * k / it->turn_count;
         kg_nest_shape_turn(&it->shape, t->angle, n->scratch, &t->offset, &t->size);
-        t->centre = centre_height(&it->shape, n->scratch);
+        t->center = center_height(&it->shape, n->scratch);
     }
 }
 
@@ -147,7 +147,7 @@ static kg_status place_on_page(nester *n, size_t index, uint64_t turns, kg_nest_
         int x, y;
         if (!(turns >> k & 1) || !last_start(n, t, &x, &y))
             continue;
-        double limit = floor((best_height - t->centre) / n->cell);
+        double limit = floor((best_height - t->center) / n->cell);
         if (limit < 0)
             continue;
         y = limit < y ? (int)limit : y;
@@ -156,7 +156,7 @@ static kg_status place_on_page(nester *n, size_t index, uint64_t turns, kg_nest_
             return status;
         if (!kg_nest_page_find(page, raster, x, y, &x, &y, &n->work))
             continue;
-        double height = y * n->cell + t->centre;
+        double height = y * n->cell + t->center;
         if (height < best_height || (height == best_height && x < best_x)) {
             best = t;
             best_height = height;

@@ -31,7 +31,7 @@ void kg_net_options_preset(kg_net_options *options, kg_net_preset preset) {
     bool printed = preset == KG_PRESET_PRINT || preset == KG_PRESET_SILHOUETTE;
     memcpy(options->styles, preset == KG_PRESET_LASER ? cutter : print, sizeof print);
     if (preset == KG_PRESET_SILHOUETTE) /* its camera looks for black */
-        options->styles[KG_LAYER_GUIDE].colour = 0x000000;
+        options->styles[KG_LAYER_GUIDE].color = 0x000000;
     options->text_outlines = preset != KG_PRESET_PRINT;
     options->registration = preset == KG_PRESET_SILHOUETTE;
     options->dashes = printed;

@@ -31,16 +31,16 @@ static void trace(cairo_t *cr, const kg_path *path) {
     }
 }
 
-static void set_colour(cairo_t *cr, uint32_t colour) {
-    cairo_set_source_rgb(cr, (colour >> 16 & 255) / 255.0, (colour >> 8 & 255) / 255.0,
-                         (colour & 255) / 255.0);
+static void set_color(cairo_t *cr, uint32_t color) {
+    cairo_set_source_rgb(cr, (color >> 16 & 255) / 255.0, (color >> 8 & 255) / 255.0,
+                         (color & 255) / 255.0);
 }
 
 static void show_stroke(cairo_t *cr, const kg_drawing *drawing, const kg_stroke *stroke) {
     const kg_net_style *style = &drawing->styles[stroke->layer];
     const double *dashes = NULL;
     int count = stroke->dashed ? kg_layer_dashes(stroke->layer, &dashes) : 0;
-    set_colour(cr, style->colour);
+    set_color(cr, style->color);
     trace(cr, &stroke->path);
     if (stroke->filled) {
         cairo_fill(cr);
@@ -60,7 +60,7 @@ static void show_page(cairo_t *cr, const kg_glyphs *glyphs, const kg_drawing *dr
         const kg_caption *caption = &page->captions.items[i];
         if (!(layers & 1u << caption->layer))
             continue;
-        set_colour(cr, drawing->styles[caption->layer].colour);
+        set_color(cr, drawing->styles[caption->layer].color);
         kg_glyphs_show(glyphs, cr, caption);
     }
 }

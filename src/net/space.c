@@ -67,7 +67,7 @@ bool kg_space_inside(const kg_space *space, int part, kg_vec2 p) {
 
 /* p in the frame of the block, its centre the origin. */
 static kg_vec2 local(const kg_block *block, double c, double s, kg_vec2 p) {
-    kg_vec2 d = kg_sub2(p, block->centre);
+    kg_vec2 d = kg_sub2(p, block->center);
     return kg_v2(c * d.x + s * d.y, c * d.y - s * d.x);
 }
 
@@ -90,7 +90,7 @@ static bool meets(kg_vec2 a, kg_vec2 b, kg_vec2 h) {
 
 bool kg_space_blocked(const kg_space *space, int part, const kg_block *block) {
     double c = cos(block->angle), s = sin(block->angle), reach = kg_len2(block->half);
-    kg_vec2 m = block->centre;
+    kg_vec2 m = block->center;
     for (size_t i = 0; i < space->walls.count; i++) {
         const kg_wall *w = &space->walls.items[i];
         if ((part != 0 && w->part != part) || fmin(w->a.x, w->b.x) > m.x + reach ||
@@ -110,7 +110,7 @@ static kg_vec2 extent(const kg_block *block) {
 }
 
 bool kg_space_holds(const kg_space *space, const kg_block *block) {
-    kg_vec2 e = extent(block), lo = kg_sub2(block->centre, e), hi = kg_add2(block->centre, e);
+    kg_vec2 e = extent(block), lo = kg_sub2(block->center, e), hi = kg_add2(block->center, e);
     return lo.x >= space->room.lo.x && lo.y >= space->room.lo.y && hi.x <= space->room.hi.x &&
            hi.y <= space->room.hi.y;
 }
@@ -119,10 +119,10 @@ bool kg_blocks_overlap(const kg_block *a, const kg_block *b) {
     for (int i = 0; i < 2; i++) {
         /* In the frame of one, the other's bounding box must reach it. */
         const kg_block *p = i == 0 ? a : b, *q = i == 0 ? b : a;
-        kg_block seen = {local(p, cos(p->angle), sin(p->angle), q->centre), q->half,
+        kg_block seen = {local(p, cos(p->angle), sin(p->angle), q->center), q->half,
                          q->angle - p->angle};
         kg_vec2 e = extent(&seen);
-        if (fabs(seen.centre.x) >= p->half.x + e.x || fabs(seen.centre.y) >= p->half.y + e.y)
+        if (fabs(seen.center.x) >= p->half.x + e.x || fabs(seen.center.y) >= p->half.y + e.y)
             return false;
     }
     return true;
@@ -163,7 +163,7 @@ static double clearance(const pole *f, kg_vec2 q) {
 }
 
 double kg_space_pole(const kg_space *space, int part, double angle, double aspect,
-                     kg_vec2 *out_centre) {
+                     kg_vec2 *out_center) {
     enum { GRID = 12, REFINEMENTS = 12 };
     pole f = {.part = part, .c = cos(angle), .s = sin(angle), .aspect = aspect};
     kg_box2 box = kg_box2_empty();
@@ -202,6 +202,6 @@ double kg_space_pole(const kg_space *space, int part, double angle, double aspec
         if (best_at.x == from.x && best_at.y == from.y)
             step = kg_scale2(step, 0.5);
     }
-    *out_centre = unsqueezed(&f, best_at);
+    *out_center = unsqueezed(&f, best_at);
     return best > 0 ? best / sqrt(2) : 0;
 }

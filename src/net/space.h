@@ -20,7 +20,7 @@ typedef struct kg_space {
 
 /* A rectangle turned by `angle`. */
 typedef struct kg_block {
-    kg_vec2 centre, half;
+    kg_vec2 center, half;
     double angle;
 } kg_block;
 
@@ -49,6 +49,6 @@ bool kg_blocks_overlap(const kg_block *a, const kg_block *b);
  * when the part has no inside.
  */
 double kg_space_pole(const kg_space *space, int part, double angle, double aspect,
-                     kg_vec2 *out_centre);
+                     kg_vec2 *out_center);
 
 #endif

@@ -40,9 +40,9 @@ static void attribute_integer(svg *s, const char *name, int64_t value) {
     attribute(s, name, text);
 }
 
-static void attribute_colour(svg *s, const char *name, uint32_t colour) {
+static void attribute_color(svg *s, const char *name, uint32_t color) {
     char text[16];
-    snprintf(text, sizeof text, "#%06x", (unsigned)(colour & 0xffffff));
+    snprintf(text, sizeof text, "#%06x", (unsigned)(color & 0xffffff));
     attribute(s, name, text);
 }
 
@@ -100,11 +100,11 @@ static void write_stroke(svg *s, const kg_stroke *stroke) {
     element(s, "path");
     path_data(s, &stroke->path);
     if (stroke->filled) {
-        attribute_colour(s, "fill", style->colour);
+        attribute_color(s, "fill", style->color);
         attribute(s, "stroke", "none");
     } else {
         attribute(s, "fill", "none");
-        attribute_colour(s, "stroke", style->colour);
+        attribute_color(s, "stroke", style->color);
         attribute_number(s, "stroke-width", style->width, "");
         if (stroke->dashed)
             dashes(s, stroke->layer);
@@ -134,7 +134,7 @@ static void write_caption(svg *s, const kg_caption *caption) {
     attribute(s, "font-family", KG_TEXT_FAMILIES);
     attribute_number(s, "font-size", caption->capital / KG_TEXT_CAPITAL, "");
     attribute(s, "text-anchor", anchors[caption->align]);
-    attribute_colour(s, "fill", s->drawing->styles[caption->layer].colour);
+    attribute_color(s, "fill", s->drawing->styles[caption->layer].color);
     attribute(s, "stroke", "none");
     owner(s, caption->part, caption->source);
     s->failed |= xmlTextWriterWriteString(s->xml, XML(caption->text)) < 0;

@@ -63,7 +63,7 @@ double kg_caption_share(const kg_caption *caption) {
 
 kg_vec2 kg_caption_anchor(const kg_caption *caption) {
     double along = (2 * kg_caption_share(caption) - 1) * kg_caption_half(caption).x;
-    return kg_add2(caption->centre,
+    return kg_add2(caption->center,
                    kg_scale2(kg_v2(cos(caption->angle), sin(caption->angle)), along));
 }
 

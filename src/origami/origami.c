@@ -177,8 +177,8 @@ bool kg_origami_is_pattern(const kg_origami *o) {
     return o->pattern;
 }
 
-void kg_origami_colours(const kg_origami *o, int32_t sheet, uint32_t *out_front,
-                        uint32_t *out_back) {
+void kg_origami_colors(const kg_origami *o, int32_t sheet, uint32_t *out_front,
+                       uint32_t *out_back) {
     bool known = sheet >= 0 && (size_t)sheet < o->sheets.count;
     *out_front = known ? o->sheets.items[sheet].front : KG_SHEET_FRONT;
     *out_back = known ? o->sheets.items[sheet].back : KG_SHEET_BACK;
@@ -205,8 +205,8 @@ static kg_status list_sheets(kg_origami *o, size_t count, kg_error *error) {
     return KG_OK;
 }
 
-kg_status kg_origami_set_colours(kg_origami *o, size_t sheet, uint32_t front, uint32_t back,
-                                 kg_error *error) {
+kg_status kg_origami_set_colors(kg_origami *o, size_t sheet, uint32_t front, uint32_t back,
+                                kg_error *error) {
     const kg_origami_state *s = o->states.items[0];
     size_t known = o->sheets.count;
     for (size_t i = 0; o->pattern && i < s->loops.count; i++)

@@ -143,7 +143,7 @@ static void stems_lack_folder_and_last_ending(void **state) {
     }
 }
 
-static void colours_come_back_from_linear_light(void **state) {
+static void colors_come_back_from_linear_light(void **state) {
     (void)state;
     for (int i = 0; i < 256; i++) {
         float srgb = (float)i / 255;
@@ -164,7 +164,7 @@ int main(void) {
         cmocka_unit_test(writing_through_a_link_leaves_the_link),
         cmocka_unit_test(endings_are_found_in_capitals_too),
         cmocka_unit_test(stems_lack_folder_and_last_ending),
-        cmocka_unit_test(colours_come_back_from_linear_light),
+        cmocka_unit_test(colors_come_back_from_linear_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -70,7 +70,7 @@ static void parts_and_joins_are_as_large_as_on_paper(void **state) {
             assert_int_equal(kg_color_to_rgb(part->color),
                              kg_color_to_rgb(kg_palette((size_t)(net->parts[i].source - 1))));
             /* fronts outward */
-            assert_true(kg_dot(part->front, part->centre) > 0);
+            assert_true(kg_dot(part->front, part->center) > 0);
         }
         kg_assembly_destroy(assembly);
         kg_net_destroy(net);
@@ -114,7 +114,7 @@ static void halves_of_a_part_too_large_are_parts_of_their_own(void **state) {
         assert_int_equal(kg_color_to_rgb(assembly->parts[i].color), 0x12ab56);
     /* each half lies on its own side of the seam */
     double at = assembly->joins[0].points[0].x;
-    assert_true((assembly->parts[0].centre.x < at) != (assembly->parts[1].centre.x < at));
+    assert_true((assembly->parts[0].center.x < at) != (assembly->parts[1].center.x < at));
     kg_assembly_destroy(assembly);
     kg_unrolled_destroy(unrolled);
     kg_document_destroy(document);
@@ -135,7 +135,7 @@ static void bends_have_their_radius_and_side(void **state) {
         kg_assembly *assembly;
         assert_int_equal(kg_assembly_create(document, net, kg_v2(0, 0), &assembly, NULL), KG_OK);
         const kg_assembly_part *part = &assembly->parts[0];
-        bool outward = kg_dot(part->front, part->centre) > 0;
+        bool outward = kg_dot(part->front, part->center) > 0;
         assert_near(outward ? part->radius_out : part->radius_in, 40, 1);
         assert_true(isinf(outward ? part->radius_in : part->radius_out));
         assert_true(part->ruling_count > 4);

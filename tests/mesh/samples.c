@@ -52,15 +52,15 @@ kg_mesh *kg_sample_soup(kg_random *random, size_t n) {
     uint32_t *corners = malloc(3 * n * sizeof *corners), *sizes = malloc(n * sizeof *sizes);
     assert_true(p && corners && sizes);
     for (size_t f = 0; f < n; f++) {
-        kg_vec3 centre;
+        kg_vec3 center;
         double size = f % 5 == 4 ? 0 : kg_random_in(random, 0, 0.5); /* every fifth is a point */
-        centre.x = kg_random_in(random, -1, 1);
-        centre.y = kg_random_in(random, -1, 1);
-        centre.z = kg_random_in(random, -1, 1);
+        center.x = kg_random_in(random, -1, 1);
+        center.y = kg_random_in(random, -1, 1);
+        center.z = kg_random_in(random, -1, 1);
         for (size_t i = 3 * f; i < 3 * f + 3; i++) {
-            p[i].x = centre.x + kg_random_in(random, -1, 1) * size;
-            p[i].y = centre.y + kg_random_in(random, -1, 1) * size;
-            p[i].z = centre.z + kg_random_in(random, -1, 1) * size;
+            p[i].x = center.x + kg_random_in(random, -1, 1) * size;
+            p[i].y = center.y + kg_random_in(random, -1, 1) * size;
+            p[i].z = center.z + kg_random_in(random, -1, 1) * size;
             corners[i] = (uint32_t)i;
         }
         sizes[f] = 3;

@@ -101,7 +101,7 @@ static void normals_survive_where_the_format_has_them(void **state) {
     kg_mesh_destroy(cube);
 }
 
-static void groups_keep_names_order_and_colour(void **state) {
+static void groups_keep_names_order_and_color(void **state) {
     (void)state;
     kg_mesh *cube = kg_sample_cube();
     const kg_mesh_format with[] = {KG_MESH_OBJ, KG_MESH_GLTF, KG_MESH_GLB};
@@ -299,7 +299,7 @@ static void a_concave_polygon_loads(void **state) {
 
 /* ---- PLY, STL, OFF ---------------------------------------------------------------------- */
 
-static void ply_text_with_lists_colours_and_strange_elements_loads(void **state) {
+static void ply_text_with_lists_colors_and_strange_elements_loads(void **state) {
     (void)state;
     kg_mesh *mesh = read_text("ply\r\nformat ascii 1.0\r\ncomment a b\r\nobj_info c\r\n"
                               "element material 1\r\nproperty list uchar float weights\r\n"
@@ -533,7 +533,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_format_brings_back_what_it_wrote),
         cmocka_unit_test(normals_survive_where_the_format_has_them),
-        cmocka_unit_test(groups_keep_names_order_and_colour),
+        cmocka_unit_test(groups_keep_names_order_and_color),
         cmocka_unit_test(names_with_spaces_and_line_ends_break_no_file),
         cmocka_unit_test(obj_lists_one_g_line_per_group_and_no_o_line),
         cmocka_unit_test(numbers_are_written_with_points_whatever_the_locale),
@@ -548,7 +548,7 @@ int main(void) {
         cmocka_unit_test(a_bow_tie_vertex_loads),
         cmocka_unit_test(faces_turned_against_each_other_load),
         cmocka_unit_test(a_concave_polygon_loads),
-        cmocka_unit_test(ply_text_with_lists_colours_and_strange_elements_loads),
+        cmocka_unit_test(ply_text_with_lists_colors_and_strange_elements_loads),
         cmocka_unit_test(ply_of_both_byte_orders_loads),
         cmocka_unit_test(ply_faces_of_300_corners_are_written),
         cmocka_unit_test(lying_ply_headers_are_refused),

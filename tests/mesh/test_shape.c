@@ -53,7 +53,7 @@ static void bad_matrices_leave_the_mesh_alone(void **state) {
     kg_mesh_destroy(cube);
 }
 
-static void fitting_centres_and_scales_the_longest_side(void **state) {
+static void fitting_centers_and_scales_the_longest_side(void **state) {
     (void)state;
     const double m[16] = {1, 0, 0, 100, 0, 4, 0, -7, 0, 0, 2, 3, 0, 0, 0, 1};
     kg_mesh *cube = kg_sample_cube();
@@ -275,7 +275,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mirroring_matrix_keeps_fronts_in_front),
         cmocka_unit_test(bad_matrices_leave_the_mesh_alone),
-        cmocka_unit_test(fitting_centres_and_scales_the_longest_side),
+        cmocka_unit_test(fitting_centers_and_scales_the_longest_side),
         cmocka_unit_test(bounds_ignore_vertices_without_faces),
         cmocka_unit_test(joined_meshes_keep_faces_and_groups),
         cmocka_unit_test(concave_polygons_are_covered_once),

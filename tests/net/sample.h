@@ -22,14 +22,14 @@ static inline void sample_add(sample_line *line, double x, double y, bool corner
 }
 
 /* Radius of a wavy closed curve, positive shoelace area for turn = 1, a hole for turn = -1. */
-static inline void sample_blob(sample_line *line, kg_vec2 centre, double radius, double wave,
+static inline void sample_blob(sample_line *line, kg_vec2 center, double radius, double wave,
                                int lobes, int turn) {
     line->count = 0;
     size_t n = (size_t)(8 * sqrt(radius) * (1 + lobes * wave) * 6);
     for (size_t i = 0; i < n; i++) {
         double a = turn * 2 * KG_PI * (double)i / (double)n;
         double r = radius * (1 + wave * cos(lobes * a));
-        sample_add(line, centre.x + r * cos(a), centre.y + r * sin(a), false);
+        sample_add(line, center.x + r * cos(a), center.y + r * sin(a), false);
     }
 }
 

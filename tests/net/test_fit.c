@@ -183,10 +183,10 @@ static void circle_takes_few_curves(void **state) {
 static void rounded_rectangle_keeps_its_straight_sides_and_round_corners(void **state) {
     (void)state;
     kg_vec2 p[64];
-    const kg_vec2 centre[4] = {{55, 25}, {5, 25}, {5, 5}, {55, 5}};
+    const kg_vec2 center[4] = {{55, 25}, {5, 25}, {5, 5}, {55, 5}};
     for (int i = 0; i < 64; i++) {
         double a = KG_PI / 2 * (i / 16 + i % 16 / 15.0);
-        p[i] = kg_add2(centre[i / 16], kg_v2(5 * cos(a), 5 * sin(a)));
+        p[i] = kg_add2(center[i / 16], kg_v2(5 * cos(a), 5 * sin(a)));
     }
     unsigned char *corners = flags(64);
     kg_path path = {0};

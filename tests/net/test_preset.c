@@ -129,7 +129,7 @@ static void mirrored_pages_exchange_folds_and_keep_text_readable(void **state) {
 
 /* With its frame and underline. */
 static kg_block block_of(const kg_caption *caption) {
-    return (kg_block){caption->centre, kg_badge_half(caption), caption->angle};
+    return (kg_block){caption->center, kg_badge_half(caption), caption->angle};
 }
 
 /* The space between all lines of a page but the labels' own frames, underlines and leaders. */
@@ -168,7 +168,7 @@ static void labels_are_complete_and_lie_on_nothing(void **state) {
             space_without_labels(&d->pages[i], d->size, &lines);
             for (size_t k = 0; k < all->count; k++) {
                 const kg_caption *c = &all->items[k];
-                kg_block block = block_of(c), text = {c->centre, kg_caption_half(c), c->angle};
+                kg_block block = block_of(c), text = {c->center, kg_caption_half(c), c->angle};
                 boxes += c->frame == KG_FRAME_BOX;
                 rings += c->frame == KG_FRAME_RING;
                 names += c->layer == KG_LAYER_LABEL && c->frame == KG_FRAME_NONE;
@@ -219,7 +219,7 @@ static void frames_lie_around_their_numbers(void **state) {
                 kg_vec2 q = s->verb == KG_PATH_CURVE  ? kg_bezier2(b, k / 64.0)
                             : s->verb == KG_PATH_LINE ? kg_lerp2(at, s->p[0], k / 64.0)
                                                       : s->p[0];
-                kg_vec2 d = kg_sub2(q, c->centre);
+                kg_vec2 d = kg_sub2(q, c->center);
                 kg_vec2 own = kg_v2(kg_dot2(d, along), kg_cross2(along, d));
                 far_x = fmax(far_x, fabs(own.x));
                 far_y = fmax(far_y, fabs(own.y));
@@ -240,8 +240,8 @@ static void frames_lie_around_their_numbers(void **state) {
             assert_int_equal(name->align, KG_CAPTION_START);
             assert_false(kg_blocks_overlap(&box, &beside));
             kg_vec2 whole = kg_badge_half(&caption), to = kg_caption_anchor(name);
-            assert_near(kg_dist2(c->centre, caption.centre), whole.x - half.x, 1e-9);
-            assert_near(kg_dist2(to, c->centre), half.x + 0.8, 1e-9);
+            assert_near(kg_dist2(c->center, caption.center), whole.x - half.x, 1e-9);
+            assert_near(kg_dist2(to, c->center), half.x + 0.8, 1e-9);
         }
         for (size_t i = 0; i < page.strokes.count; i++)
             kg_path_clear(&page.strokes.items[i].path);

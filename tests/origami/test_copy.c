@@ -66,7 +66,7 @@ static void test_every_difference_counts(void **user) {
     assert_int_equal(kg_origami_set_title(copy, "", NULL), KG_OK);
     assert_true(kg_origami_equal(o, copy));
     assert_same_text(o, copy);
-    assert_int_equal(kg_origami_set_colours(copy, 0, 0x123456, 0xffffff, NULL), KG_OK);
+    assert_int_equal(kg_origami_set_colors(copy, 0, 0x123456, 0xffffff, NULL), KG_OK);
     assert_false(kg_origami_equal(o, copy));
     kg_origami_destroy(copy);
     copy = kg_origami_copy(o);
@@ -80,12 +80,12 @@ static void test_every_difference_counts(void **user) {
     kg_origami_destroy(o);
 }
 
-static void test_placing_a_sheet_keeps_order_and_colours(void **user) {
+static void test_placing_a_sheet_keeps_order_and_colors(void **user) {
     (void)user;
     kg_origami *o = square_sheet(100);
     add_rectangle(o, 200, 0, 50, 50);
     assert_int_equal(kg_origami_pair_count(last(o)), 0);
-    assert_int_equal(kg_origami_set_colours(o, 1, 0x2b7bba, 0xccddee, NULL), KG_OK);
+    assert_int_equal(kg_origami_set_colors(o, 1, 0x2b7bba, 0xccddee, NULL), KG_OK);
     kg_vec2 moved[] = {{50, 50}, {100, 50}, {100, 120}, {50, 120}};
     assert_int_equal(kg_origami_place_sheet(o, 1, moved, 4, NULL), KG_OK);
     assert_int_equal(kg_origami_pair_count(last(o)), 1);
@@ -114,7 +114,7 @@ static void test_refused_placements_change_nothing(void **user) {
     assert_int_equal(kg_origami_place_sheet(o, 0, bad, 3, &error), KG_ERR_INPUT);
     assert_int_equal(kg_origami_place_sheet(o, 1, good, 3, &error), KG_ERR_INPUT);
     assert_int_equal(kg_origami_remove_sheet(o, 1, &error), KG_ERR_INPUT);
-    assert_int_equal(kg_origami_set_colours(o, 1, 0, 0, &error), KG_ERR_INPUT);
+    assert_int_equal(kg_origami_set_colors(o, 1, 0, 0, &error), KG_ERR_INPUT);
     assert_true(kg_origami_equal(o, before));
     assert_int_equal(kg_origami_place_sheet(o, 0, good, 3, &error), KG_OK);
     assert_int_equal(kg_origami_fold_count(o), 0); /* its folds were of another sheet */
@@ -122,19 +122,19 @@ static void test_refused_placements_change_nothing(void **user) {
     kg_origami_destroy(o);
 }
 
-static void test_colours_of_a_pattern_are_saved(void **user) {
+static void test_colors_of_a_pattern_are_saved(void **user) {
     (void)user;
     static const char cp[] = "1 0 0 10 0\n1 10 0 10 10\n1 10 10 0 10\n1 0 10 0 0\n3 0 0 10 10\n";
     kg_origami *o, *again;
     assert_int_equal(kg_origami_import_memory(cp, sizeof cp - 1, "x.cp", NULL, &o, NULL, NULL),
                      KG_OK);
     kg_origami *copy = kg_origami_copy(o);
-    assert_int_equal(kg_origami_set_colours(o, 0, 0x00ff00, 0x0000ff, NULL), KG_OK);
+    assert_int_equal(kg_origami_set_colors(o, 0, 0x00ff00, 0x0000ff, NULL), KG_OK);
     assert_false(kg_origami_equal(o, copy));
     char *text = text_of(o);
     assert_int_equal(kg_origami_read_memory(text, strlen(text), "m", &again, NULL), KG_OK);
     uint32_t front, back;
-    kg_origami_colours(again, 0, &front, &back);
+    kg_origami_colors(again, 0, &front, &back);
     assert_int_equal(front, 0x00ff00);
     assert_int_equal(back, 0x0000ff);
     assert_int_equal(last(again)->loops.count, last(o)->loops.count);
@@ -151,9 +151,9 @@ int main(void) {
         cmocka_unit_test(test_copies_redo_what_was_undone),
         cmocka_unit_test(test_folding_a_copy_leaves_the_original),
         cmocka_unit_test(test_every_difference_counts),
-        cmocka_unit_test(test_placing_a_sheet_keeps_order_and_colours),
+        cmocka_unit_test(test_placing_a_sheet_keeps_order_and_colors),
         cmocka_unit_test(test_refused_placements_change_nothing),
-        cmocka_unit_test(test_colours_of_a_pattern_are_saved),
+        cmocka_unit_test(test_colors_of_a_pattern_are_saved),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

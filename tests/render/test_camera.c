@@ -131,7 +131,7 @@ static double brightness(kg_color c) {
     return 0.2126 * (double)c.r + 0.7152 * (double)c.g + 0.0722 * (double)c.b;
 }
 
-static void palette_colours_differ_and_repeat(void **state) {
+static void palette_colors_differ_and_repeat(void **state) {
     (void)state;
     for (size_t i = 0; i < 24; i++) {
         kg_color a = kg_palette(i), again = kg_palette(i + 24);
@@ -144,7 +144,7 @@ static void palette_colours_differ_and_repeat(void **state) {
     }
 }
 
-static void linear_colours_become_srgb(void **state) {
+static void linear_colors_become_srgb(void **state) {
     (void)state;
     kg_color c = kg_color_from_linear((const float[4]){0.214041f, 1, -1, 0.5f});
     assert_near((double)c.r, 0.5, 1e-4);
@@ -161,8 +161,8 @@ int main(void) {
         cmocka_unit_test(a_fitted_box_fills_the_picture),
         cmocka_unit_test(fitting_a_point_or_nothing_leaves_a_working_camera),
         cmocka_unit_test(pixel_size_is_one_pixel_at_the_center),
-        cmocka_unit_test(palette_colours_differ_and_repeat),
-        cmocka_unit_test(linear_colours_become_srgb),
+        cmocka_unit_test(palette_colors_differ_and_repeat),
+        cmocka_unit_test(linear_colors_become_srgb),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

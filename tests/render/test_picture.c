@@ -25,7 +25,7 @@ static void silhouette_of_a_cube_has_its_area(void **state) {
     kg_shape_destroy(c);
 }
 
-static void both_sides_have_their_own_colour(void **state) {
+static void both_sides_have_their_own_color(void **state) {
     (void)state;
     kg_shape *s = square_at(0, 50);
     kg_item item = item_of(s, red);
@@ -447,7 +447,7 @@ static void empty_shapes_draw_nothing(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(silhouette_of_a_cube_has_its_area),
-        cmocka_unit_test(both_sides_have_their_own_colour),
+        cmocka_unit_test(both_sides_have_their_own_color),
         cmocka_unit_test(shaded_fronts_are_darker_than_backs),
         cmocka_unit_test(nearer_surfaces_hide_farther_ones_in_any_order),
         cmocka_unit_test(see_through_surfaces_mix_from_far_to_near),

@@ -96,7 +96,7 @@ static kg_status read_corners(const json_t *a, kg_vec2 **out, size_t *out_count,
 /* ---- commands ---------------------------------------------------------------------------- */
 
 /* Sheets beside each other are told apart by their fronts. */
-static uint32_t next_colour(const kg_editor *e) {
+static uint32_t next_color(const kg_editor *e) {
     static const uint32_t fronts[] = {KG_SHEET_FRONT, 0x2b7bba, 0xe0a62e, 0x3f9a5a};
     return fronts[kg_origami_sheet_count(kg_editor_origami(e)) % (sizeof fronts / sizeof *fronts)];
 }
@@ -128,7 +128,7 @@ static kg_status add(kg_editor *e, const json_t *a, kg_error *error) {
     size_t count = 0;
     /* a polygon says itself where it lies */
     bool placed = json_object_get(a, "at") || json_object_get(a, "polygon");
-    uint32_t front = next_colour(e), back = KG_SHEET_BACK;
+    uint32_t front = next_color(e), back = KG_SHEET_BACK;
     kg_status status = read_vec2(a, "at", &at, error);
     if (!status)
         status = kg_argument_color(a, "front", &front, error);
@@ -229,7 +229,7 @@ static kg_status color(kg_editor *e, const json_t *a, kg_error *error) {
     kg_status status = read_sheet(e, a, &index, error);
     if (status)
         return status;
-    kg_origami_colours(o, (int32_t)index, &front, &back);
+    kg_origami_colors(o, (int32_t)index, &front, &back);
     status = kg_argument_color(a, "front", &front, error);
     if (!status)
         status = kg_argument_color(a, "back", &back, error);
@@ -237,7 +237,7 @@ static kg_status color(kg_editor *e, const json_t *a, kg_error *error) {
         status = kg_editor_begin(e, N_("Colour"), error);
     if (status)
         return status;
-    status = kg_origami_set_colours(o, index, front, back, error);
+    status = kg_origami_set_colors(o, index, front, back, error);
     kg_editor_touch(e);
     return kg_editor_finish(e, status);
 }

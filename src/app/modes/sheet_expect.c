@@ -51,7 +51,7 @@ static kg_status expect_colors(const kg_sheets *s, const char *words, kg_error *
     uint32_t is[2];
     if (sscanf(words, "%d #%6x #%6x", &sheet, &front, &back) != 3)
         return kg_fail(error, KG_ERR_INPUT, "colours needs SHEET #rrggbb #rrggbb");
-    kg_origami_colours(s->origami, sheet - 1, &is[0], &is[1]);
+    kg_origami_colors(s->origami, sheet - 1, &is[0], &is[1]);
     return is[0] == front && is[1] == back
                ? KG_OK
                : kg_fail(error, KG_ERR_INPUT, "they are #%06x #%06x", is[0], is[1]);

@@ -142,7 +142,7 @@ static void show_paper(const kg_sheets *s, int32_t sheet, paint wanted, kg_overl
     for (int32_t i = 0; (size_t)i < s->state->loops.count; i++)
         if (s->state->loops.items[i].sheet == sheet && paint_of(s, i) == wanted)
             add_loop(&m, s, i);
-    kg_origami_colours(s->origami, sheet, &front, &back);
+    kg_origami_colors(s->origami, sheet, &front, &back);
     kg_style style = kg_style_default(kg_color_from_rgb(front));
     style.color.a = (float)s->opacity;
     style.back = kg_color_from_rgb(back);

@@ -35,7 +35,7 @@ kg_creation kg_creation_default(void) {
 /* ---- the sketch: the sheet on the paper it fits ------------------------------------------- */
 
 /* A rectangle of `size` in the middle of an area, `k` pixels a millimetre. */
-static kg_area centred(const kg_area *a, kg_vec2 size, double k) {
+static kg_area centerd(const kg_area *a, kg_vec2 size, double k) {
     return (kg_area){a->x + (a->width - k * size.x) / 2, a->y + (a->height - k * size.y) / 2,
                      k * size.x, k * size.y};
 }
@@ -49,7 +49,7 @@ static void sketch(kg_vec2 size, double fold, kg_color color) {
     page = across ? kg_v2(page.y, page.x) : page;
     kg_area area = kg_ui_canvas_area("##sketch", SKETCH_WIDTH, SKETCH_HEIGHT);
     double k = 0.94 * fmin(area.width / page.x, area.height / page.y);
-    kg_area sheet = centred(&area, size, k), outer = centred(&area, page, k);
+    kg_area sheet = centerd(&area, size, k), outer = centerd(&area, page, k);
     faint.a *= 0.4F;
     kg_ui_canvas(KG_CANVAS_WINDOW);
     if (holds)

@@ -287,13 +287,13 @@ static void draw_page(const kg_net_view *v, int page, kg_polyline *line) {
         const kg_stroke *stroke = &content->strokes.items[i];
         bool goes_along = moved && stroke->part == moved;
         draw_stroke(goes_along ? &moving : &still, stroke,
-                    kg_color_from_rgb(p->drawing->styles[stroke->layer].colour));
+                    kg_color_from_rgb(p->drawing->styles[stroke->layer].color));
     }
     for (size_t i = 0; i < content->captions.count; i++) {
         const kg_caption *caption = &content->captions.items[i];
         bool goes_along = moved && caption->part == moved;
         draw_caption(goes_along ? &moving : &still, caption,
-                     kg_color_from_rgb(p->drawing->styles[caption->layer].colour));
+                     kg_color_from_rgb(p->drawing->styles[caption->layer].color));
     }
 }
 

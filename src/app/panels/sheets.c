@@ -14,13 +14,13 @@ static void color_cell(kg_editor *e, size_t sheet, bool is_front) {
     kg_origami *o = kg_editor_origami(e);
     uint32_t sides[2];
     kg_error error;
-    kg_origami_colours(o, (int32_t)sheet, &sides[0], &sides[1]);
+    kg_origami_colors(o, (int32_t)sheet, &sides[0], &sides[1]);
     kg_color color = kg_color_from_rgb(sides[!is_front]);
     unsigned result = kg_ui_color_field(is_front ? "##front" : "##back", &color);
     kg_ui_tooltip(is_front ? _("Front") : _("Back"));
     if (result & KG_FIELD_CHANGED && !kg_editor_begin(e, N_("Colour"), &error)) {
         sides[!is_front] = kg_color_to_rgb(color);
-        if (kg_origami_set_colours(o, sheet, sides[0], sides[1], &error))
+        if (kg_origami_set_colors(o, sheet, sides[0], sides[1], &error))
             kg_editor_say(e, KG_FAULT, "%s", error.message);
         kg_editor_touch(e);
     }
