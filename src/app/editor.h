@@ -93,8 +93,8 @@ typedef struct kg_editor {
     kg_pane pane;
     kg_settings settings;
     double patch_opacity;
-    bool trim_cutters;     /* trim inside also trims the cutters */
-    kg_mends mends;        /* what would mend the patch shown */
+    bool trim_cutters; /* trim inside also trims the cutters */
+    kg_mends mends;    /* what would mend the patch shown */
 
     const kg_tool *tool;
     void *tool_state; /* the tool's own, freed when it ends */

@@ -26,6 +26,14 @@ static bool aim(const kg_editor *e, const state *s, kg_vec2 px, kg_vec2 *out) {
     return solved && solved->prepared && kg_patch_aim_px(&solved->patch, &e->pane, px, out);
 }
 
+/* Places beside a patch may all be nearest to one of its corners. */
+static bool is_last(const state *s, kg_vec2 at) {
+    if (s->corners.count == 0)
+        return false;
+    kg_vec2 last = s->corners.items[s->corners.count - 1];
+    return last.x == at.x && last.y == at.y;
+}
+
 static void finish(kg_editor *e, bool outside) {
     state *s = e->tool_state;
     json_t *corners = json_array();
@@ -66,7 +74,7 @@ static bool on_event(kg_editor *e, const kg_event *event) {
     case KG_EVENT_PRESS:
         if (event->button != KG_MOUSE_LEFT)
             return false;
-        if (aim(e, s, event->position, &at) && !kg_push(&s->corners, at))
+        if (aim(e, s, event->position, &at) && !is_last(s, at) && !kg_push(&s->corners, at))
             kg_editor_say(e, KG_FAULT, "%s", _("Out of memory."));
         s->aimed = false;
         return true;
