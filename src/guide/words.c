@@ -29,7 +29,8 @@ static const char *const words[KG_WORD_COUNT] = {
     [KG_WORD_TAB] =
         N_("Tab: fold it along its line, put the glue on it. Short teeth follow a bent edge."),
     [KG_WORD_NUMBERS] = N_(
-        "Each join has a number in a ring. It is printed at both edges of a seam, or at an edge and "
+        "Each join has a number in a ring. It is printed at both edges of a seam, or at an edge "
+        "and "
         "at the mark it comes to lie on: equal numbers belong together. Numbers in boxes are those "
         "of the parts."),
     [KG_WORD_RULINGS] = N_(
