@@ -48,7 +48,8 @@ static const kg_issue *issue_of(const kg_editor *e, int64_t patch) {
     return NULL;
 }
 
-static void row(kg_app *app, size_t index) {
+/* `warns`: some patch has a warning, so there is a column for them. */
+static void row(kg_app *app, size_t index, bool warns) {
     kg_editor *e = &app->editor;
     kg_model_patch *p = &kg_editor_model(e)->patches[index];
     int64_t id = p->id;
@@ -71,6 +72,7 @@ static void row(kg_app *app, size_t index) {
     label_of(p, label, sizeof label);
     if (rank >= 0)
         kg_ui_mark(kg_rank_color(rank));
+    double room = kg_ui_available();
     if (kg_ui_selectable(label, rank >= 0))
         kg_editor_select(e, id, e->mods & (KG_MOD_SHIFT | KG_MOD_CTRL));
     if (kg_ui_item_hovered())
@@ -81,7 +83,10 @@ static void row(kg_app *app, size_t index) {
     }
     if (issue)
         kg_ui_tooltip(issue->message);
-    kg_ui_table_next();
+    else if (kg_ui_text_width(p->name) > room)
+        kg_ui_tooltip(p->name);
+    if (warns)
+        kg_ui_table_next();
     if (issue) {
         kg_ui_icon(KG_ICON_WARNING, kg_panel_severity_color(e, issue->severity));
         kg_ui_tooltip(issue->message);
@@ -102,14 +107,17 @@ static void row(kg_app *app, size_t index) {
 void kg_panel_outliner(kg_app *app, kg_area area) {
     static const double widths[] = {22, 24, 22, 0, 24, 24, 24};
     const kg_model *m = kg_editor_model(&app->editor);
+    bool warns = false;
+    for (size_t i = 0; i < m->patch_count && !warns; i++)
+        warns = issue_of(&app->editor, m->patches[i].id);
     char title[64];
     snprintf(title, sizeof title, _("Patches (%zu)"), m->patch_count);
     kg_ui_panel_begin("outliner", title, area, 0);
     if (m->patch_count == 0)
         kg_ui_text_wrapped(_("No patches yet. Press A and click four times to place one."));
-    if (m->patch_count > 0 && kg_ui_table_begin("patches", 7, widths)) {
+    if (m->patch_count > 0 && kg_ui_table_begin("patches", warns ? 7 : 6, widths)) {
         for (size_t i = 0; i < m->patch_count; i++)
-            row(app, i);
+            row(app, i, warns);
         kg_ui_table_end();
     }
     kg_ui_panel_end();
