@@ -1,5 +1,5 @@
 /* Exported FOLD files under the checks of npm's fold and rabbit-ear, where those are there: in the
- * folder KATAGAMI_NODE_MODULES, or build/node, where `./dev bench` puts them. */
+ * folder KATAGAMI_NODE_MODULES, or build/node, where `./dev test` and `./dev bench` put them. */
 #include "tests/check.h"
 #include "tests/origami/samples.h"
 

@@ -319,5 +319,5 @@ kg_status kg_fold_done(kg_editor *e, kg_error *error) {
     kg_sheets_play_made(e);
     if ((t = kg_fold_tool_of(e)) && !t->keeps_angle)
         t->angle_deg = copysign(180, t->angle_deg);
-    return status;
+    return KG_OK;
 }
