@@ -6,25 +6,13 @@
 
 /* ---- where joins run --------------------------------------------------------------------- */
 
-/* Points of a stretch, evenly along its chords. */
+/* Points of a stretch, evenly along its chords, both ends included. */
 static void trace(const kg_pieces *all, const kg_stretch *s, kg_cross_point out[KG_JOIN_PLACES]) {
-    double length = kg_stretch_chords(all, s), sum = 0;
-    int next = 0;
-    kg_vec3 a = kg_piece_point(all, s->edge, s->from, NULL).x;
-    for (double p = s->from; p < s->to && next < KG_JOIN_PLACES;) {
-        double q = fmin(floor(p) + 1, s->to);
-        kg_vec3 b = kg_piece_point(all, s->edge, q, NULL).x;
-        double step = kg_dist(a, b), at;
-        for (; next < KG_JOIN_PLACES && (at = next * length / (KG_JOIN_PLACES - 1)) <= sum + step;
-             next++) {
-            double f = step > 0 ? (at - sum) / step : 0;
-            out[next] = kg_piece_point(all, s->edge, p + f * (q - p), NULL);
-        }
-        sum += step;
-        a = b, p = q;
-    }
-    for (; next < KG_JOIN_PLACES; next++) /* rounding keeps the sum below the length */
-        out[next] = kg_piece_point(all, s->edge, s->to, NULL);
+    double positions[KG_JOIN_PLACES] = {s->from};
+    kg_stretch_divide(all, s, KG_JOIN_PLACES - 1, positions + 1);
+    positions[KG_JOIN_PLACES - 1] = s->to;
+    for (int i = 0; i < KG_JOIN_PLACES; i++)
+        out[i] = kg_piece_point(all, s->edge, positions[i], NULL);
 }
 
 /* Written with so few digits: seams are farther apart. */

@@ -155,6 +155,24 @@ double kg_stretch_chords(const kg_pieces *all, const kg_stretch *s) {
     return sum;
 }
 
+void kg_stretch_divide(const kg_pieces *all, const kg_stretch *s, int count, double *out) {
+    double length = kg_stretch_chords(all, s), sum = 0;
+    int next = 1;
+    kg_vec3 a = kg_piece_point(all, s->edge, s->from, NULL).x;
+    for (double from = s->from; from < s->to && next < count;) {
+        double to = fmin(floor(from) + 1, s->to);
+        kg_vec3 b = kg_piece_point(all, s->edge, to, NULL).x;
+        double step = kg_dist(a, b);
+        for (; next < count && step > 0 && length * next / count <= sum + step; next++)
+            out[next - 1] = from + (to - from) * (length * next / count - sum) / step;
+        sum += step;
+        from = to;
+        a = b;
+    }
+    for (; next < count; next++) /* rounding keeps the sum below the length */
+        out[next - 1] = s->to;
+}
+
 static kg_status add_stretch(const walk *w, double from, double to, place at) {
     kg_pieces *all = w->pieces;
     kg_stretch stretch = {.edge = w->edge,

@@ -17,4 +17,9 @@ kg_status kg_pieces_find_stretches(kg_pieces *pieces) KG_CHECKED;
 /* The length of a stretch's chords, mm. */
 double kg_stretch_chords(const kg_pieces *pieces, const kg_stretch *stretch);
 
+/* Positions on the edge that divide a stretch into `count` > 0 equal lengths: count - 1 of them.
+ * Lengths of chords do: both sides of a seam have the same chords. */
+void kg_stretch_divide(const kg_pieces *pieces, const kg_stretch *stretch, int count,
+                       double *out_positions);
+
 #endif

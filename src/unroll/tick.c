@@ -63,26 +63,6 @@ static kg_status tick_mark(const kg_pieces *all, const kg_stretch *s, double pos
                     error);
 }
 
-/* Positions that divide a stretch into `count` equal lengths: count - 1 of them. Lengths of chords
- * do: both sides of a seam have the same chords. */
-static void divide(const kg_pieces *all, const kg_stretch *s, int count, double *out) {
-    double length = kg_stretch_chords(all, s), sum = 0;
-    int next = 1;
-    kg_vec3 a = kg_piece_point(all, s->edge, s->from, NULL).x;
-    for (double from = s->from; from < s->to && next < count;) {
-        double to = fmin(floor(from) + 1, s->to);
-        kg_vec3 b = kg_piece_point(all, s->edge, to, NULL).x;
-        double step = kg_dist(a, b);
-        for (; next < count && length * next / count <= sum + step; next++)
-            out[next - 1] = from + (to - from) * (length * next / count - sum) / step;
-        sum += step;
-        from = to;
-        a = b;
-    }
-    for (; next < count; next++)
-        out[next - 1] = s->to;
-}
-
 kg_status kg_ticks_add(const kg_pieces *all, size_t stretch, int join, kg_net *net,
                        kg_error *error) {
     const kg_stretch *s = &all->stretches[stretch], *mate = &all->stretches[s->mate];
@@ -93,8 +73,8 @@ kg_status kg_ticks_add(const kg_pieces *all, size_t stretch, int join, kg_net *n
     double *own = calloc((size_t)count, sizeof *own), *other = calloc((size_t)count, sizeof *other);
     kg_status status = own && other ? KG_OK : KG_ERR_MEMORY;
     if (!status) {
-        divide(all, s, count, own);
-        divide(all, mate, count, other);
+        kg_stretch_divide(all, s, count, own);
+        kg_stretch_divide(all, mate, count, other);
     }
     for (int i = 0; i < count - 1 && !status; i++) {
         status = tick_edge(all, s->edge, own[i], join, net, error);

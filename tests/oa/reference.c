@@ -310,3 +310,17 @@ void open_windows_slowly(kg_oa *oa, const unsigned char *candidates) {
             free(faces);
         }
 }
+
+solved solve(const kg_oa *oa) {
+    solved s;
+    assert_int_equal(kg_oa_sheet_create(oa, &s.sheet, NULL), KG_OK);
+    assert_int_equal(kg_oa_stability_create(s.sheet, &s.stability, NULL), KG_OK);
+    assert_int_equal(kg_oa_remarks_create(oa, s.sheet, s.stability, &s.remarks, NULL), KG_OK);
+    return s;
+}
+
+void clear(solved *s) {
+    kg_oa_remarks_destroy(s->remarks);
+    kg_oa_stability_destroy(s->stability);
+    kg_oa_sheet_destroy(s->sheet);
+}

@@ -23,6 +23,16 @@ static inline int whole(kg_random *r, int lo, int hi) {
     return lo + (int)kg_random_in(r, 0, hi - lo + 1);
 }
 
+/* All that is derived from a card. */
+typedef struct solved {
+    kg_oa_sheet *sheet;
+    kg_oa_stability *stability;
+    kg_oa_remarks *remarks;
+} solved;
+
+solved solve(const kg_oa *oa);
+void clear(solved *s);
+
 /* A unit face of paper in space: upper and lower edge as (y,z). */
 typedef struct face {
     int y0, z0, y1, z1;

@@ -3,26 +3,6 @@
 
 #include <stdlib.h>
 
-typedef struct solved {
-    kg_oa_sheet *sheet;
-    kg_oa_stability *stability;
-    kg_oa_remarks *remarks;
-} solved;
-
-static solved solve(const kg_oa *oa) {
-    solved s;
-    assert_int_equal(kg_oa_sheet_create(oa, &s.sheet, NULL), KG_OK);
-    assert_int_equal(kg_oa_stability_create(s.sheet, &s.stability, NULL), KG_OK);
-    assert_int_equal(kg_oa_remarks_create(oa, s.sheet, s.stability, &s.remarks, NULL), KG_OK);
-    return s;
-}
-
-static void clear(solved *s) {
-    kg_oa_remarks_destroy(s->remarks);
-    kg_oa_stability_destroy(s->stability);
-    kg_oa_sheet_destroy(s->sheet);
-}
-
 /* The only remark of a trouble; asserts that there is one. */
 static const kg_oa_remark *only(const solved *s, kg_oa_trouble trouble) {
     const kg_oa_remark *found = NULL;
