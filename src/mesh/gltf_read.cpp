@@ -254,10 +254,10 @@ class loader {
     }
 
     void add_tree(int root) {
-        std::vector<std::pair<int, frame>> todo = {{root, z_up}};
-        while (!todo.empty()) {
-            auto [index, parent] = todo.back();
-            todo.pop_back();
+        std::vector<std::pair<int, frame>> pending = {{root, z_up}};
+        while (!pending.empty()) {
+            auto [index, parent] = pending.back();
+            pending.pop_back();
             const tinygltf::Node &node = at(model.nodes, index, "node");
             if (seen[(size_t)index])
                 continue;
@@ -266,7 +266,7 @@ class loader {
             if (node.mesh >= 0)
                 add_mesh(node.mesh, node.name, f);
             for (size_t i = node.children.size(); i-- > 0;)
-                todo.push_back({node.children[i], f});
+                pending.push_back({node.children[i], f});
         }
     }
 

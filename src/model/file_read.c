@@ -157,17 +157,24 @@ static kg_status read_extent(kg_reader *r, const json_t *v, kg_patch_input *in) 
     return status;
 }
 
-static kg_status read_ruling(kg_reader *r, const json_t *v, kg_patch_input *in) {
-    double d[3];
+/* Numbers that may be missing: whether they are there, and can be read, is in `*out_has`. */
+static kg_status read_optional(kg_reader *r, const json_t *v, const char *field, size_t count,
+                               double *out, bool *out_has) {
+    *out_has = false;
     if (!v)
         return KG_OK;
-    kg_read_enter(r, "ruling", 0);
-    kg_status status = kg_read_numbers(r, v, 3, d);
+    kg_read_enter(r, field, 0);
+    kg_status status = kg_read_numbers(r, v, count, out);
     kg_read_leave(r);
-    if (!status) {
-        in->has_ruling = true;
+    *out_has = !status;
+    return status;
+}
+
+static kg_status read_ruling(kg_reader *r, const json_t *v, kg_patch_input *in) {
+    double d[3] = {0};
+    kg_status status = read_optional(r, v, "ruling", 3, d, &in->has_ruling);
+    if (in->has_ruling)
         in->ruling = kg_v3(d[0], d[1], d[2]);
-    }
     return status;
 }
 
@@ -335,16 +342,10 @@ static kg_status read_reference(kg_reader *r, const json_t *root, kg_reference *
 }
 
 static kg_status read_join_place(kg_reader *r, const json_t *v, kg_model_join *join) {
-    double at[2];
-    if (!v)
-        return KG_OK;
-    kg_read_enter(r, "at", 0);
-    kg_status status = kg_read_numbers(r, v, 2, at);
-    kg_read_leave(r);
-    if (!status) {
-        join->has_at = true;
+    double at[2] = {0};
+    kg_status status = read_optional(r, v, "at", 2, at, &join->has_at);
+    if (join->has_at)
         join->at = kg_v2(at[0], at[1]);
-    }
     return status;
 }
 

@@ -79,15 +79,19 @@ def compare(one, other):
             assert data == right[name], f"{model.name}: {name} differs"
 
 
+def other_build():
+    other = os.environ.get("KATAGAMI_OTHER_BUILD")
+    if not other or other == PROGRAM:
+        raise script.Skip("only one build to look at")
+    return other
+
+
 def test_two_runs_write_the_same_bytes():
     compare(PROGRAM, PROGRAM)
 
 
 def test_two_compilers_write_the_same_bytes():
-    other = os.environ.get("KATAGAMI_OTHER_BUILD")
-    if not other or other == PROGRAM:
-        raise script.Skip("only one build to look at")
-    compare(PROGRAM, other)
+    compare(PROGRAM, other_build())
 
 
 def test_two_runs_make_cards_stand_alike():
@@ -95,10 +99,7 @@ def test_two_runs_make_cards_stand_alike():
 
 
 def test_two_compilers_make_cards_stand_alike():
-    other = os.environ.get("KATAGAMI_OTHER_BUILD")
-    if not other or other == PROGRAM:
-        raise script.Skip("only one build to look at")
-    compare_standing(PROGRAM, other)
+    compare_standing(PROGRAM, other_build())
 
 
 if __name__ == "__main__":

@@ -88,9 +88,9 @@ void kg_fold_find_pile(kg_editor *e, kg_fold_tool *t) {
         return;
     kg_vec3 at = s->vertices.items[t->vertex].position;
     int32_t *members = malloc((loops + 1) * sizeof *members), count = 0;
-    int32_t *todo = malloc((loops + 1) * sizeof *todo), ends = 0;
+    int32_t *uncovered = malloc((loops + 1) * sizeof *uncovered), ends = 0;
     int32_t *above = calloc(loops + 1, sizeof *above);
-    bool ok = members && todo && above;
+    bool ok = members && uncovered && above;
     for (size_t i = 0; i < loops && ok; i++)
         if (s->loops.items[i].group == t->group && kg_fold_has_corner(s, (int32_t)i, at)) {
             t->pile[i] = 1;
@@ -101,11 +101,11 @@ void kg_fold_find_pile(kg_editor *e, kg_fold_tool *t) {
         for (int32_t k = 0; k < count; k++)
             above[members[i]] += kg_origami_order(s, members[i], members[k]) == side;
         if (above[members[i]] == 0)
-            todo[ends++] = members[i];
+            uncovered[ends++] = members[i];
     }
     /* each below all that lie on it; layers in a ring stay where they are */
     for (int32_t i = 0; i < ends; i++) {
-        int32_t loop = todo[i], side = upper_side(s, t, loop), depth = t->pile[loop];
+        int32_t loop = uncovered[i], side = upper_side(s, t, loop), depth = t->pile[loop];
         t->pile_count = depth > t->pile_count ? depth : t->pile_count;
         for (int32_t k = 0; k < count; k++) {
             int32_t lower = members[k];
@@ -113,11 +113,11 @@ void kg_fold_find_pile(kg_editor *e, kg_fold_tool *t) {
                 continue;
             t->pile[lower] = depth + 1 > t->pile[lower] ? depth + 1 : t->pile[lower];
             if (--above[lower] == 0)
-                todo[ends++] = lower;
+                uncovered[ends++] = lower;
         }
     }
     free(members);
-    free(todo);
+    free(uncovered);
     free(above);
 }
 
